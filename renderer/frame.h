@@ -1,0 +1,42 @@
+// Everything one picture depends on, beside the scene itself.
+#pragma once
+
+#include <vector>
+
+#include "model/scene/control_point_editing.h"
+#include "model/scene/scene.h"
+#include "renderer/culling/cull_modes.h"
+#include "renderer/paths/path_list.h"
+#include "renderer/scene/camera.h"
+#include "renderer/scene/render_lists.h"
+
+namespace knotspan {
+
+// A control point to mark, and how.
+struct ControlPointMark {
+    ObjectId object{};
+    ControlPointIndex index;
+    bool selected = false;  // false: hovered
+};
+
+struct Overlays {
+    bool controlNets = false;           // of all objects
+    std::vector<ObjectId> netsOf;       // of these, whatever controlNets says
+    bool knotLines = false;             // the KSQuads' borders on every surface
+    std::vector<ObjectId> highlighted;  // objects drawn as selected
+    std::vector<ControlPointMark> marks;
+};
+
+struct Frame {
+    Camera camera;
+    int width = 1280;
+    int height = 800;
+    PathId path{};
+    CullSet culling;
+    SamplingRule sampling;  // default: what the path takes by default
+    double tolerancePx = 0.5;
+    Shading shading = Shading::shaded;
+    Overlays overlays;
+};
+
+}  // namespace knotspan

@@ -1,0 +1,107 @@
+// The renderer: takes scenes and frames, gives pictures and figures. No Qt, no display needed.
+//
+// sync() uploads what changed, draw() makes one picture in the renderer's own image, capture() reads it back,
+// present() copies it to a window. Calls come from one thread. After a call failed because the device was
+// lost, all further ones fail and a new Renderer is to be made.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/scene/scene.h"
+#include "renderer/frame.h"
+#include "renderer/stats/frame_stats.h"
+
+namespace knotspan {
+
+// 8-bit sRGB with opacity, rows from the top, no padding.
+struct Picture {
+    int width = 0;
+    int height = 0;
+    std::vector<std::uint8_t> rgba;
+};
+
+// What is under a pixel.
+struct PickedControlPoint {
+    ObjectId object{};
+    ControlPointIndex index;
+};
+struct Pick {
+    std::optional<PickedControlPoint> controlPoint;  // the nearest one of a shown net within the radius
+    std::optional<ObjectId> object;                  // the surface at the pixel
+};
+
+// A vertex as a GPU stage computed it, for tests and measurements.
+struct CapturedVertex {
+    ObjectId object{};
+    int spanU = 0;
+    int spanV = 0;
+    double u = 0;  // local to the span, 0 .. 1
+    double v = 0;
+    Vec3 position{};  // relative to surfaceOrigin(object), object space
+    Vec3 normal{};    // unit, object space
+};
+
+// Where in a KSQuad the compute stage is to evaluate.
+struct EvaluationPoint {
+    ObjectId object{};
+    int spanU = 0;
+    int spanV = 0;
+    double u = 0;
+    double v = 0;
+};
+
+struct RendererOptions {
+    std::optional<int> device;  // index into devices(); default: the fastest kind of device
+    bool validation = false;    // fails where the validation layer is not installed
+    // Extensions that the window system asks for to make surfaces are switched on where the loader has them.
+};
+
+class Swapchain;
+
+class Renderer {
+public:
+    // Fails, and says which package helps, where no Vulkan 1.3 device is found.
+    [[nodiscard]] static Result<std::unique_ptr<Renderer>> create(const RendererOptions& options = {});
+    // The names of the Vulkan devices of this machine, in the order of `--device N`.
+    [[nodiscard]] static Result<std::vector<std::string>> devices();
+    ~Renderer();
+    Renderer(const Renderer&) = delete;
+    Renderer& operator=(const Renderer&) = delete;
+
+    [[nodiscard]] const std::string& deviceName() const;
+    // Empty where the device can run the path, otherwise the reason, as a sentence.
+    [[nodiscard]] std::string whyUnavailable(PathId path) const;
+    [[nodiscard]] PathId bestPath() const;  // the first of paths() that is available
+
+    [[nodiscard]] Result<void> sync(const Scene& scene);
+    [[nodiscard]] Result<FrameStats> draw(const Frame& frame);
+    [[nodiscard]] Result<Picture> capture();
+    // In the last drawn frame; x, y in pixels from its upper left corner.
+    [[nodiscard]] Result<Pick> pick(double x, double y, double radiusPx = 8);
+
+    // For a window: `surface` is a VkSurfaceKHR made for instance(), both as plain handles so that this
+    // header needs no Vulkan. The renderer owns the surface's swapchain, not the surface.
+    [[nodiscard]] void* instance() const;
+    [[nodiscard]] Result<std::unique_ptr<Swapchain>> createSwapchain(std::uint64_t surface, int width,
+                                                                     int height);
+    // Shows the last drawn frame. False: the swapchain no longer fits its window and is to be made anew.
+    [[nodiscard]] Result<bool> present(Swapchain& swapchain);
+
+    // Diagnostics. captureVertices() draws the frame and returns every vertex that the path's stage computed.
+    [[nodiscard]] Result<std::vector<CapturedVertex>> captureVertices(const Frame& frame);
+    [[nodiscard]] Result<std::vector<CapturedVertex>> evaluate(const std::vector<EvaluationPoint>& points);
+    [[nodiscard]] Vec3 surfaceOrigin(ObjectId object) const;
+    // What the validation layer said so far; empty without the layer and in a clean run.
+    [[nodiscard]] std::vector<std::string> validationMessages() const;
+
+private:
+    struct Parts;
+    explicit Renderer(std::unique_ptr<Parts> parts);
+    std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace knotspan

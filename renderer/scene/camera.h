@@ -1,0 +1,59 @@
+// The eye of a picture. Everything is double and in model space; the GPU gets matrices relative to the eye.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "model/core/space.h"
+
+namespace knotspan {
+
+struct Camera {
+    Vec3 eye{0, 0, 10};
+    Vec3 target{0, 0, 0};
+    Vec3 up{0, 1, 0};  // any direction that is not along the view
+    bool orthographic = false;
+    double verticalFovDegrees =
+        35;  // orthographic: the height of the view is that of this angle at the target
+
+    [[nodiscard]] Vec3 forward() const;  // unit, from the eye to the target
+    [[nodiscard]] Vec3 right() const;    // unit
+    [[nodiscard]] Vec3 upward() const;   // unit, orthogonal to both
+    [[nodiscard]] double distance() const;
+
+    // The height in model units of one pixel at the depth of `point`, for a picture of `pictureHeight`
+    // pixels.
+    [[nodiscard]] double unitsPerPixel(const Vec3& point, int pictureHeight) const;
+
+    // Rotation to view space (x right, y up, looking along -z); the eye is subtracted separately, in double.
+    [[nodiscard]] Mat4 rotation() const;
+
+    // From eye-relative view space to Vulkan clip space, depth reversed (1 near, 0 far). `bounds` sets the
+    // depth range.
+    [[nodiscard]] Mat4 projection(double aspect, const Box& bounds) const;
+
+    // Where a point of model space falls, in pixels from the upper left corner of the picture; nothing where
+    // it is not in front of the eye.
+    [[nodiscard]] std::optional<Vec2> toPixel(const Vec3& point, int width, int height) const;
+
+    // Camera motion, as the viewport and scripts need it.
+    void orbit(double yawRadians, double pitchRadians);  // around the target; up stays z
+    void pan(double rightUnits, double upUnits);
+    void zoomAt(double factor,
+                const Vec2& cursorFromCentre);  // factor < 1 comes closer; cursor in units at the target
+};
+
+// The named views, in the order of the list: "iso", "front", "back", "left", "right", "top", "bottom".
+[[nodiscard]] const std::vector<std::string>& namedViews();
+
+// Looks at the whole of `bounds` from a named direction; nothing for an unknown name. z is up, front looks
+// along +y.
+[[nodiscard]] std::optional<Camera> namedView(std::string_view name, const Box& bounds, double aspect,
+                                              bool orthographic, double verticalFovDegrees = 35);
+
+// The same direction, moved so that `bounds` fills the picture.
+[[nodiscard]] Camera fitted(Camera camera, const Box& bounds, double aspect);
+
+}  // namespace knotspan

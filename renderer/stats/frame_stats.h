@@ -1,0 +1,63 @@
+// What a frame cost and did: one struct, and one table of its fields that the stats panel, the JSON writer
+// and the tests walk, so that a new figure is one member and one line.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "renderer/culling/cull_modes.h"
+
+namespace knotspan {
+
+// Milliseconds over the frames of a run; one frame has all three equal.
+struct Milliseconds {
+    double min = 0;
+    double median = 0;
+    double max = 0;
+};
+
+struct FrameStats {
+    std::string device;
+    std::string path;
+    std::vector<std::string> culling;
+    std::string sampling;
+    double tolerancePx = 0;
+    int width = 0;
+    int height = 0;
+    std::uint64_t surfaces = 0;
+    std::uint64_t ksquads = 0;
+    std::uint64_t ksquadsDrawn = 0;
+    std::array<std::uint64_t, kCullModeCount> ksquadsCulled{};  // by the first mode that said so
+    std::uint64_t ksdice = 0;
+    std::uint64_t triangles = 0;
+    std::uint64_t evaluations = 0;  // surface points evaluated to place vertices
+    std::uint64_t frames = 1;
+    Milliseconds cpuMs;  // preparing and recording, without waiting
+    Milliseconds gpuMs;  // from the device's timestamps
+    std::uint64_t uploadBytesFirst = 0;
+    std::uint64_t uploadBytesPerFrame = 0;
+    std::uint64_t deviceBytes = 0;
+};
+
+using StatValue = std::variant<std::string, std::vector<std::string>, double, std::uint64_t, Milliseconds,
+                               std::array<std::uint64_t, kCullModeCount>>;
+
+struct StatField {
+    std::string name;   // the key in JSON: a contract
+    std::string label;  // for people
+    std::string unit;   // "px", "ms", "bytes" or empty
+    StatValue (*get)(const FrameStats&);
+};
+
+[[nodiscard]] const std::vector<StatField>& statFields();
+
+// The value as a person reads it: 15,000; 3.2 / 3.4 / 5.0 ms; 1.5 MB.
+[[nodiscard]] std::string display(const StatField& field, const FrameStats& stats);
+
+// The whole as one JSON object.
+[[nodiscard]] std::string toJson(const FrameStats& stats);
+
+}  // namespace knotspan
