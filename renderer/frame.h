@@ -1,6 +1,7 @@
 // Everything one picture depends on, beside the scene itself.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "model/scene/control_point_editing.h"
@@ -11,6 +12,9 @@
 #include "renderer/scene/render_lists.h"
 
 namespace knotspan {
+
+// What a picture shows where no surface is: sRGB.
+constexpr std::uint8_t kBackground[3] = {43, 46, 52};
 
 // A control point to mark, and how.
 struct ControlPointMark {

@@ -14,6 +14,7 @@
 #include "model/scene/scene.h"
 #include "renderer/frame.h"
 #include "renderer/stats/frame_stats.h"
+#include "renderer/swapchain.h"
 
 namespace knotspan {
 
@@ -59,8 +60,6 @@ struct RendererOptions {
     bool validation = false;    // fails where the validation layer is not installed
     // Extensions that the window system asks for to make surfaces are switched on where the loader has them.
 };
-
-class Swapchain;
 
 class Renderer {
 public:

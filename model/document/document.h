@@ -19,8 +19,16 @@ public:
     explicit Document(QObject* parent = nullptr);
 
     [[nodiscard]] const Scene& scene() const { return scene_; }
-    [[nodiscard]] QUndoStack& undoStack() { return undoStack_; }
-    [[nodiscard]] bool isModified() const { return !undoStack_.isClean(); }
+    // Ends a running gesture first, so that its step is on the stack; where a drag may run, ask canUndo()
+    // etc.
+    [[nodiscard]] QUndoStack& undoStack();
+    void undo() { undoStack().undo(); }
+    void redo() { undoStack().redo(); }
+    [[nodiscard]] bool canUndo() const { return running_.has_value() || undoStack_.canUndo(); }
+    [[nodiscard]] bool canRedo() const { return !running_.has_value() && undoStack_.canRedo(); }
+    [[nodiscard]] QString undoText() const { return running_ ? running_->text : undoStack_.undoText(); }
+    [[nodiscard]] QString redoText() const { return undoStack_.redoText(); }
+    [[nodiscard]] bool isModified() const { return running_.has_value() || !undoStack_.isClean(); }
 
     // The file that save() writes to; empty for a new or imported model, which needs saveAs().
     [[nodiscard]] const std::filesystem::path& file() const { return file_; }
@@ -29,6 +37,9 @@ public:
 
     // Replaces everything by the file's content. On failure nothing changes.
     [[nodiscard]] Result<void> open(const std::filesystem::path& path);
+    // Adds the file's objects to the scene, as one step, scaled to the scene's units. On failure nothing
+    // changes.
+    [[nodiscard]] Result<void> add(const std::filesystem::path& path);
     // Replaces everything by a scene that belongs to no file.
     void reset(Scene scene, const QString& title);
 
@@ -40,7 +51,10 @@ public:
     void apply(const Edit& edit, const QString& text, int gesture = 0);
     [[nodiscard]] int newGesture() { return ++lastGesture_; }
 
-    // Takes a running gesture back without leaving a step that could be redone.
+    // The running gesture is kept outside the stack until it ends: by finishGesture(), or by whatever else
+    // uses the stack.
+    void finishGesture(int gesture);
+    // Takes the running gesture back and leaves no trace: the steps that could be redone are still there.
     void cancelGesture(int gesture);
 
 Q_SIGNALS:
@@ -50,10 +64,18 @@ Q_SIGNALS:
 
 private:
     friend class EditCommand;
+    struct Running {
+        int gesture = 0;
+        Edit edit;  // applied: holds its inverse
+        QString text;
+    };
     void swapIn(Edit& edit);
+    void finishRunning();
+    void replace(Scene scene, const std::filesystem::path& file, const QString& title);
 
     Scene scene_;
     QUndoStack undoStack_;
+    std::optional<Running> running_;
     std::filesystem::path file_;
     QString title_;
     int lastGesture_ = 0;

@@ -14,6 +14,9 @@ namespace knotspan::formats {
 // that is no model) is an Error that names the file; nothing crashes or hangs on bad content.
 [[nodiscard]] Result<Scene> read(const std::filesystem::path& path);
 
+// The same, with what the user should be told about it: which faces were left out or approximated.
+[[nodiscard]] Result<Import> readWithNotes(const std::filesystem::path& path);
+
 // Writes a model to a temporary file beside `path` and renames it, so that the old file or the new one is
 // there, whole, whatever happens.
 [[nodiscard]] Result<void> write(const Scene& scene, const std::filesystem::path& path);

@@ -1,4 +1,4 @@
-// The paths that turn visible KSQuads into triangles: one file and one line each.
+// The paths that turn visible KSQuads into triangles, as pickers and the command line see them.
 #pragma once
 
 #include <optional>

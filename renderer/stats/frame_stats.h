@@ -54,6 +54,10 @@ struct StatField {
 
 [[nodiscard]] const std::vector<StatField>& statFields();
 
+// The figures of a run of frames, oldest first: times as least, median and most, bytes as the first frame's
+// and the most that any later one sent, counts of the last frame. At least one frame.
+[[nodiscard]] FrameStats combined(const std::vector<FrameStats>& frames);
+
 // The value as a person reads it: 15,000; 3.2 / 3.4 / 5.0 ms; 1.5 MB.
 [[nodiscard]] std::string display(const StatField& field, const FrameStats& stats);
 

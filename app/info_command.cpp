@@ -1,0 +1,125 @@
+#include <cstdio>
+#include <iostream>
+#include <memory>
+
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+#include "app/output.h"
+#include "model/geometry/ksquad.h"
+
+namespace knotspan::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Options {
+    std::string file;
+    bool json = false;
+};
+
+// What the surfaces take on the GPU as they are, and what they would take cut into Bezier patches.
+struct Bytes {
+    size_t nurbs = 0;
+    size_t bezier = 0;
+};
+
+Bytes bytesOf(const Scene& scene)
+{
+    constexpr size_t kControlPoint = 16;  // x, y, z, w as float
+    constexpr size_t kKnot = 4;
+    Bytes bytes;
+    for (const auto& [id, object] : scene.objects()) {
+        const NurbsSurface& surface = object->surface;
+        bytes.nurbs += surface.controlPoints().size() * kControlPoint;
+        bytes.nurbs += (surface.knotsU().values().size() + surface.knotsV().values().size()) * kKnot;
+        bytes.bezier += ksQuadCount(surface) * static_cast<size_t>(surface.degreeU() + 1) *
+                        static_cast<size_t>(surface.degreeV() + 1) * kControlPoint;
+    }
+    return bytes;
+}
+
+Json describe(const SceneObject& object, size_t id)
+{
+    const NurbsSurface& surface = object.surface;
+    return {{"id", id},
+            {"name", object.name},
+            {"degree_u", surface.degreeU()},
+            {"degree_v", surface.degreeV()},
+            {"control_points_u", surface.countU()},
+            {"control_points_v", surface.countV()},
+            {"rational", surface.isRational()},
+            {"closed_u", surface.isClosedU()},
+            {"closed_v", surface.isClosedV()},
+            {"trimmed", !object.trimLoops.empty()},
+            {"ksquads", ksQuadCount(surface)}};
+}
+
+Json describe(const Scene& scene)
+{
+    Json surfaces = Json::array();
+    for (const auto& [id, object] : scene.objects())
+        surfaces.push_back(describe(*object, surfaces.size()));
+    Json bounds;  // null for an empty model
+    if (const Box box = scene.bounds(); !box.isEmpty())
+        bounds = {{"low", {box.low.x, box.low.y, box.low.z}}, {"high", {box.high.x, box.high.y, box.high.z}}};
+    const Bytes bytes = bytesOf(scene);
+    return {{"surfaces", surfaces},
+            {"ksquads", scene.ksQuadCount()},
+            {"control_points", scene.controlPointCount()},
+            {"bounds", bounds},
+            {"units", scene.units()},
+            {"bytes_nurbs", bytes.nurbs},
+            {"bytes_bezier", bytes.bezier}};
+}
+
+void printForPeople(const Scene& scene)
+{
+    const Box box = scene.bounds();
+    const Bytes bytes = bytesOf(scene);
+    std::cout << scene.objects().size() << " surfaces, " << scene.ksQuadCount() << " KSQuads, "
+              << scene.controlPointCount() << " control points\n";
+    if (!box.isEmpty())
+        std::cout << "bounds (" << box.low.x << ", " << box.low.y << ", " << box.low.z << ") to ("
+                  << box.high.x << ", " << box.high.y << ", " << box.high.z << ") " << scene.units() << '\n';
+    std::cout << bytes.nurbs << " bytes as NURBS, " << bytes.bezier << " bytes as Bezier patches\n";
+    if (!scene.objects().empty())
+        std::cout << "\n   id  degree  control points   KSQuads  rational  closed  trimmed  name\n";
+    size_t number = 0;
+    for (const auto& [id, object] : scene.objects()) {
+        const NurbsSurface& surface = object->surface;
+        const std::string closed =
+            std::string(surface.isClosedU() ? "u" : "") + (surface.isClosedV() ? "v" : "");
+        char line[160];
+        std::snprintf(line, sizeof line, "%5zu  %2d x %-2d  %6d x %-6d  %8zu  %-8s  %-6s  %-7s  ", number++,
+                      surface.degreeU(), surface.degreeV(), surface.countU(), surface.countV(),
+                      ksQuadCount(surface), surface.isRational() ? "yes" : "no",
+                      closed.empty() ? "no" : closed.c_str(), object->trimLoops.empty() ? "no" : "yes");
+        std::cout << line << object->name << '\n';
+    }
+}
+
+int run(const Options& options)
+{
+    const auto scene = readModel(options.file);
+    if (!scene)
+        return failed(scene.error());
+    if (options.json)
+        std::cout << describe(*scene).dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+    else
+        printForPeople(*scene);
+    return kDone;
+}
+
+}  // namespace
+
+void addInfoCommand(CLI::App& app, int& exitCode)
+{
+    const auto options = std::make_shared<Options>();
+    CLI::App* command = app.add_subcommand("info", "Say what a model holds");
+    command->add_option("FILE", options->file, "Model to read")->required();
+    command->add_flag("--json", options->json, "As one JSON object");
+    command->callback([options, &exitCode] { exitCode = run(*options); });
+}
+
+}  // namespace knotspan::app

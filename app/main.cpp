@@ -1,0 +1,63 @@
+// The program: one executable, the window and the commands that need no display.
+#include <algorithm>
+#include <exception>
+#include <iostream>
+
+#include "app/commands.h"
+#include "app/output.h"
+
+namespace {
+
+using namespace knotspan::app;
+
+// What CLI11 says, as one sentence.
+std::string sentenceOf(const CLI::ParseError& error)
+{
+    std::string text = error.what();
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    while (!text.empty() && (text.back() == '.' || text.back() == ' '))
+        text.pop_back();
+    return text + ". 'knotspan --help' and 'knotspan COMMAND --help' list what there is.";
+}
+
+int run(int& argc, char** argv)
+{
+    CLI::App app("Knotspan: shape free-form surfaces and see the exact NURBS.", "knotspan");
+    app.set_version_flag("--version", "knotspan " KNOTSPAN_VERSION);
+    app.require_subcommand(0, 1);
+    int exitCode = kDone;
+    addWindowCommand(app, exitCode, argc, argv);
+    addRenderCommand(app, exitCode);
+    addConvertCommand(app, exitCode);
+    addInfoCommand(app, exitCode);
+    addSampleCommand(app, exitCode);
+    addEvaluateCommand(app, exitCode);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& asked) {  // --help, --version
+        app.exit(asked);
+    } catch (const CLI::ParseError& error) {
+        tell(sentenceOf(error));
+        return kWrongCall;
+    }
+    return exitCode;
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    int exitCode = kFailed;
+    try {
+        exitCode = run(argc, argv);
+    } catch (const std::bad_alloc&) {
+        tell("There is not enough memory for this. Try a smaller model or picture.");
+    } catch (const std::exception& error) {
+        tell(std::string("This failed: ") + error.what() + '.');
+    }
+    if (!std::cout.flush()) {
+        tell("Standard output cannot be written. Check the place it goes to.");
+        return kFailed;
+    }
+    return exitCode;
+}

@@ -1,0 +1,57 @@
+#include "app/output.h"
+
+#include <iostream>
+#include <memory>
+
+#include <QSaveFile>
+
+#include "app/commands.h"
+
+namespace knotspan::app {
+namespace {
+
+tl::unexpected<Error> unwritable(const std::filesystem::path& path, const QSaveFile& file)
+{
+    return tl::unexpected<Error>(
+        Error{"The file cannot be written (" + file.errorString().toStdString() + ")", path.string(),
+              "Choose another place"});
+}
+
+}  // namespace
+
+Result<void> writeFiles(const std::vector<OutputFile>& files)
+{
+    std::vector<std::unique_ptr<QSaveFile>> saved;
+    for (const OutputFile& file : files) {
+        saved.push_back(std::make_unique<QSaveFile>(QString::fromStdString(file.path.string())));
+        if (!saved.back()->open(QIODevice::WriteOnly) || !file.write(*saved.back()) || !saved.back()->flush())
+            return unwritable(file.path, *saved.back());
+    }
+    for (size_t k = 0; k < files.size(); ++k)
+        if (!saved[k]->commit())
+            return unwritable(files[k].path, *saved[k]);
+    return {};
+}
+
+void tell(const std::string& sentence)
+{
+    std::cerr << "knotspan: " << sentence << '\n';
+}
+
+int failed(const Error& error)
+{
+    tell(error.sentence());
+    return kFailed;
+}
+
+Result<Scene> readModel(const std::filesystem::path& path)
+{
+    auto import = formats::readWithNotes(path);
+    if (!import)
+        return tl::unexpected(import.error());
+    for (const std::string& note : import->notes)
+        tell(path.string() + ": " + note);
+    return std::move(import->scene);
+}
+
+}  // namespace knotspan::app

@@ -1,0 +1,112 @@
+#include <iostream>
+#include <memory>
+
+#include <QIODevice>
+#include <QImage>
+
+#include "app/commands.h"
+#include "app/output.h"
+#include "app/render_options.h"
+#include "renderer/renderer.h"
+
+namespace knotspan::app {
+namespace {
+
+struct Drawn {
+    Picture picture;
+    FrameStats stats;
+};
+
+Frame frameFor(const RenderTexts& texts, const RenderRequest& request, const Box& bounds, PathId path)
+{
+    Frame frame;
+    frame.camera = cameraFor(texts, request, bounds);
+    frame.width = request.size.width;
+    frame.height = request.size.height;
+    frame.path = path;
+    frame.culling = request.culling;
+    frame.sampling = request.sampling;
+    frame.tolerancePx = texts.tolerance;
+    frame.shading = request.shading;
+    frame.overlays.controlNets = texts.net;
+    frame.overlays.knotLines = texts.knots;
+    return frame;
+}
+
+Result<Drawn> draw(Renderer& renderer, const Scene& scene, const Frame& frame, const RenderRequest& request,
+                   int count)
+{
+    std::vector<FrameStats> stats;
+    for (int k = 0; k < count; ++k) {
+        if (auto synced = renderer.sync(deformed(scene, request.deformation, k)); !synced)
+            return tl::unexpected(synced.error());
+        auto drawn = renderer.draw(frame);
+        if (!drawn)
+            return tl::unexpected(drawn.error());
+        stats.push_back(std::move(*drawn));
+    }
+    auto picture = renderer.capture();
+    if (!picture)
+        return tl::unexpected(picture.error());
+    return Drawn{std::move(*picture), combined(stats)};
+}
+
+Result<Drawn> render(const RenderTexts& texts, const RenderRequest& request)
+{
+    const auto scene = readModel(texts.file);
+    if (!scene)
+        return tl::unexpected(scene.error());
+    const Box bounds = scene->bounds();
+    if (bounds.isEmpty())
+        return tl::unexpected<Error>({"The model holds nothing to show", texts.file, "Choose another model"});
+    auto renderer = Renderer::create({texts.device, false});
+    if (!renderer)
+        return tl::unexpected(renderer.error());
+    const PathId path = request.path.value_or((*renderer)->bestPath());
+    if (const std::string why = (*renderer)->whyUnavailable(path); !why.empty())
+        return tl::unexpected<Error>({why.back() == '.' ? why.substr(0, why.size() - 1) : why,
+                                      "--path " + pathInfo(path).name, "Choose another path"});
+    return draw(**renderer, *scene, frameFor(texts, request, bounds, path), request, texts.frames);
+}
+
+Result<void> write(const RenderTexts& texts, const Drawn& drawn)
+{
+    const Picture& picture = drawn.picture;
+    const QImage image(picture.rgba.data(), picture.width, picture.height, picture.width * 4,
+                       QImage::Format_RGBA8888);
+    const std::string json = toJson(drawn.stats) + "\n";
+    std::vector<OutputFile> files{
+        {texts.output, [&](QIODevice& device) { return image.save(&device, "PNG"); }}};
+    if (!texts.stats.empty() && texts.stats != "-")
+        files.push_back({texts.stats, [&](QIODevice& device) {
+                             const auto size = static_cast<qint64>(json.size());
+                             return device.write(json.data(), size) == size;
+                         }});
+    if (auto written = writeFiles(files); !written)
+        return written;
+    if (texts.stats == "-")
+        std::cout << json;
+    return {};
+}
+
+int run(const RenderTexts& texts)
+{
+    const RenderRequest request = parse(texts);
+    const auto drawn = render(texts, request);
+    if (!drawn)
+        return failed(drawn.error());
+    const auto written = write(texts, *drawn);
+    return written ? kDone : failed(written.error());
+}
+
+}  // namespace
+
+void addRenderCommand(CLI::App& app, int& exitCode)
+{
+    const auto texts = std::make_shared<RenderTexts>();
+    CLI::App* command = app.add_subcommand("render", "Draw a model to a picture, without a display");
+    addRenderOptions(*command, *texts);
+    command->callback([texts, &exitCode] { exitCode = run(*texts); });
+}
+
+}  // namespace knotspan::app

@@ -1,0 +1,160 @@
+#include "app/render_options.h"
+
+#include <filesystem>
+
+#include <glm/geometric.hpp>
+
+namespace knotspan::app {
+namespace {
+
+template <class List>
+std::vector<std::string> namesOf(const List& list)
+{
+    std::vector<std::string> names;
+    for (const auto& entry : list)
+        names.push_back(entry.name);
+    return names;
+}
+
+CullSet conservativeModes()
+{
+    CullSet set;
+    for (size_t mode = 0; mode < cullModes().size(); ++mode)
+        set.set(static_cast<int>(mode), cullModes()[mode].conservative);
+    return set;
+}
+
+CullSet parseCulling(const std::string& text)
+{
+    if (text.empty())
+        return conservativeModes();
+    if (const auto set = parseCullSet(text))
+        return *set;
+    auto known = namesOf(cullModes());
+    known.insert(known.begin(), "none");
+    refuseName("--culling", text, known);
+}
+
+template <class Found>
+auto foundOr(const Found& found, const std::string& option, const std::string& text,
+             const std::vector<std::string>& names)
+{
+    if (!found)
+        refuseName(option, text, names);
+    return *found;
+}
+
+void parseEye(const RenderTexts& texts, RenderRequest& request)
+{
+    if (texts.eye.empty()) {
+        if (!texts.target.empty() || !texts.up.empty())
+            throw CLI::ValidationError(texts.target.empty() ? "--up" : "--target", "needs --eye");
+        return;
+    }
+    request.eye = parseVec3("--eye", texts.eye);
+    if (!texts.target.empty())
+        request.target = parseVec3("--target", texts.target);
+    if (request.target && *request.target == *request.eye)
+        throw CLI::ValidationError("--target", "is where the eye is");
+    if (!texts.up.empty())
+        request.up = parseVec3("--up", texts.up);
+    if (request.up && glm::length(*request.up) == 0)
+        throw CLI::ValidationError("--up", "is no direction");
+}
+
+bool areAlong(const Vec3& a, const Vec3& b)
+{
+    return glm::length(glm::cross(a, b)) <= 1e-9 * glm::length(a) * glm::length(b);
+}
+
+}  // namespace
+
+void addRenderOptions(CLI::App& command, RenderTexts& texts)
+{
+    const auto text = [&](const char* name, std::string& value, const std::string& help, const char* type) {
+        return command.add_option(name, value, help)->type_name(type);
+    };
+    const auto list = [](const std::vector<std::string>& names) { return joined(names, ", "); };
+    command.add_option("FILE", texts.file, "Model to read")->required();
+    text("-o,--output", texts.output, "Picture to write", "OUT.png")->required();
+    text("--size", texts.size, "Size in pixels (default 1280x800)", "WxH");
+    text("--path", texts.path, "How triangles are made: " + list(namesOf(paths())), "P");
+    text("--culling", texts.culling, "What is dropped unseen: none, " + list(namesOf(cullModes())), "A,B");
+    text("--sampling", texts.sampling, "How finely: area, fixed:N", "S");
+    command.add_option("--tolerance", texts.tolerance, "How far the picture may be off, in pixels")
+        ->capture_default_str()
+        ->check(within(0.01, 1000))
+        ->type_name("PX");
+    text("--evaluator", texts.evaluator, "How surface points are computed: triangular", "E");
+    auto* view = text("--view", texts.view, "From where: " + list(namedViews()) + " (default iso)", "VIEW");
+    text("--eye", texts.eye, "Where the eye is", "X,Y,Z")->excludes(view);
+    text("--target", texts.target, "What it looks at (default: the model's middle)", "X,Y,Z");
+    text("--up", texts.up, "What is up (default: z)", "X,Y,Z");
+    command.add_flag("--orthographic", texts.orthographic, "Without perspective");
+    command.add_option("--fov", texts.fov, "Vertical angle of view in degrees")
+        ->capture_default_str()
+        ->check(within(0.1, 170))
+        ->type_name("DEG");
+    text("--shading", texts.shading, "What colours say: " + list(namesOf(shadings())), "S");
+    command.add_flag("--net", texts.net, "Draw the control nets, too");
+    command.add_flag("--knots", texts.knots, "Draw the borders of the KSQuads, too");
+    command.add_option("--frames", texts.frames, "Frames to draw; the last one is written")
+        ->capture_default_str()
+        ->check(within(1, 1e6))
+        ->type_name("N");
+    text("--deform", texts.deform, "What moves between frames: " + list(deformationNames()), "WHAT");
+    text("--stats", texts.stats, "Where to write the figures as JSON; - is standard output", "FILE");
+    command.add_option("--device", texts.device, "Which Vulkan device, counted from 0")
+        ->check(within(0, 255))
+        ->type_name("N");
+}
+
+RenderRequest parse(const RenderTexts& texts)
+{
+    if (std::filesystem::path(texts.output).extension() != ".png")
+        throw CLI::ValidationError("--output", "'" + texts.output + "' should end in .png");
+    RenderRequest request;
+    if (!texts.size.empty())
+        request.size = parseSize("--size", texts.size);
+    if (!texts.path.empty())
+        request.path = foundOr(findPath(texts.path), "--path", texts.path, namesOf(paths()));
+    request.culling = parseCulling(texts.culling);
+    if (!texts.sampling.empty())
+        request.sampling = foundOr(parseSamplingRule(texts.sampling), "--sampling", texts.sampling,
+                                   {"area", "fixed:1 to fixed:64"});
+    if (!texts.evaluator.empty() && texts.evaluator != "triangular")
+        refuseName("--evaluator", texts.evaluator, {"triangular"});
+    if (!texts.shading.empty())
+        request.shading =
+            foundOr(findShading(texts.shading), "--shading", texts.shading, namesOf(shadings()));
+    if (!texts.deform.empty())
+        request.deformation =
+            foundOr(findDeformation(texts.deform), "--deform", texts.deform, deformationNames());
+    if (!texts.view.empty() && !namedView(texts.view, Box{Vec3(0.0), Vec3(1.0)}, 1, false))
+        refuseName("--view", texts.view, namedViews());
+    parseEye(texts, request);
+    return request;
+}
+
+Camera cameraFor(const RenderTexts& texts, const RenderRequest& request, const Box& bounds)
+{
+    if (!request.eye) {
+        const double aspect = static_cast<double>(request.size.width) / request.size.height;
+        const std::string view = texts.view.empty() ? "iso" : texts.view;
+        return *namedView(view, bounds, aspect, texts.orthographic, texts.fov);
+    }
+    Camera camera;
+    camera.eye = *request.eye;
+    camera.target = request.target.value_or(bounds.centre());
+    if (camera.target == camera.eye)
+        camera.target += Vec3(0, 1, 0);
+    camera.up = request.up.value_or(Vec3(0, 0, 1));
+    // Looking straight up or down: any other direction will do.
+    if (areAlong(camera.up, camera.target - camera.eye))
+        camera.up = areAlong(Vec3(0, 1, 0), camera.target - camera.eye) ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
+    camera.orthographic = texts.orthographic;
+    camera.verticalFovDegrees = texts.fov;
+    return camera;
+}
+
+}  // namespace knotspan::app

@@ -1,0 +1,46 @@
+// The options of `knotspan render`, as they are typed and as the renderer takes them.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "app/arguments.h"
+#include "app/deformation.h"
+#include "renderer/frame.h"
+
+namespace knotspan::app {
+
+// As typed; empty where not given.
+struct RenderTexts {
+    std::string file, output, size, path, culling, sampling, evaluator, view, eye, target, up, shading,
+        deform;
+    std::string stats;
+    double tolerance = 0.5;
+    double fov = 35;
+    int frames = 1;
+    std::optional<int> device;
+    bool orthographic = false, net = false, knots = false;
+};
+
+void addRenderOptions(CLI::App& command, RenderTexts& texts);
+
+// All that can be said without the model and the device.
+struct RenderRequest {
+    PixelSize size;
+    std::optional<PathId> path;  // none: the best that the device can run
+    CullSet culling;
+    SamplingRule sampling;
+    Shading shading = Shading::shaded;
+    Deformation deformation = Deformation::none;
+    std::optional<Vec3> eye, target, up;
+};
+
+// Throws CLI::ValidationError for what no list or range has.
+[[nodiscard]] RenderRequest parse(const RenderTexts& texts);
+
+// The camera for a model with these bounds (not empty).
+[[nodiscard]] Camera cameraFor(const RenderTexts& texts, const RenderRequest& request, const Box& bounds);
+
+}  // namespace knotspan::app

@@ -1,0 +1,22 @@
+// How a surface bends at a point.
+#pragma once
+
+#include <optional>
+
+#include "model/geometry/evaluation.h"
+
+namespace knotspan {
+
+// In 1 per model unit; positive where the surface bends towards its normal S_u x S_v. largest >= smallest.
+struct Curvature {
+    double gauss = 0;
+    double mean = 0;
+    double largest = 0;
+    double smallest = 0;
+};
+
+// From the first and second fundamental forms (do Carmo, 3.3). Nothing where S_u x S_v vanishes or a figure
+// would not be finite.
+[[nodiscard]] std::optional<Curvature> curvature(const SurfacePoint& point);
+
+}  // namespace knotspan

@@ -1,0 +1,174 @@
+#include "model/document/document.h"
+
+#include <cmath>
+#include <map>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "model/document/edit_command.h"
+#include "model/formats/format_list.h"
+
+namespace knotspan {
+namespace fs = std::filesystem;
+
+namespace {
+
+QString fileTitle(const fs::path& path)
+{
+    return QString::fromStdString(path.filename().string());
+}
+
+// Millimetres in one unit; 0 for a name we do not know.
+double millimetres(const std::string& unit)
+{
+    static const std::map<std::string, double> kUnits = {
+        {"um", 0.001}, {"mm", 1}, {"cm", 10}, {"m", 1000}, {"km", 1e6}, {"in", 25.4}, {"ft", 304.8}};
+    const auto known = kUnits.find(unit);
+    return known == kUnits.end() ? 0 : known->second;
+}
+
+}  // namespace
+
+Document::Document(QObject* parent) : QObject(parent)
+{
+    connect(&undoStack_, &QUndoStack::cleanChanged, this, &Document::fileChanged);
+}
+
+QString Document::title() const
+{
+    return title_.isEmpty() ? tr("Untitled") : title_;
+}
+
+QUndoStack& Document::undoStack()
+{
+    finishRunning();
+    return undoStack_;
+}
+
+Result<void> Document::open(const fs::path& path)
+{
+    Result<Scene> scene = formats::read(path);
+    if (!scene)
+        return tl::unexpected(scene.error());
+    const formats::Format* format = formats::find(path);
+    const bool writable = format != nullptr && format->write != nullptr;
+    replace(std::move(*scene), writable ? fs::absolute(path) : fs::path(), fileTitle(path));
+    return {};
+}
+
+Result<void> Document::add(const fs::path& path)
+{
+    const Result<Scene> added = formats::read(path);
+    if (!added)
+        return tl::unexpected(added.error());
+    double scale = 1;
+    if (added->units() != scene_.units()) {
+        scale = millimetres(added->units()) / millimetres(scene_.units());
+        if (!(scale > 0 && std::isfinite(scale)))
+            return tl::unexpected(Error{"The file is in \"" + added->units() + "\", the open model in \"" +
+                                            scene_.units() + "\", which cannot be converted",
+                                        path.string(), "Open it by itself"});
+    }
+    Scene numbered = scene_;  // hands out the ids
+    Edit edit;
+    for (const auto& [unused, object] : added->objects()) {
+        auto placed = std::make_shared<SceneObject>(*object);
+        placed->transform = glm::scale(Mat4(1.0), Vec3(scale)) * placed->transform;
+        const ObjectId id = numbered.add(*placed);
+        edit.set(id, std::move(placed));
+    }
+    apply(edit, tr("Add %1").arg(fileTitle(path)));
+    return {};
+}
+
+void Document::reset(Scene scene, const QString& title)
+{
+    replace(std::move(scene), {}, title);
+}
+
+void Document::replace(Scene scene, const fs::path& file, const QString& title)
+{
+    running_.reset();
+    undoStack_.clear();
+    scene_ = std::move(scene);
+    file_ = file;
+    title_ = title;
+    Q_EMIT documentReplaced();
+    Q_EMIT sceneChanged();
+    Q_EMIT fileChanged();
+}
+
+Result<void> Document::save()
+{
+    if (file_.empty())
+        return failure("This model has no file of its own yet", "Choose a name with Save as");
+    return saveAs(file_);
+}
+
+Result<void> Document::saveAs(const fs::path& path)
+{
+    finishRunning();
+    if (Result<void> written = formats::write(scene_, path); !written)
+        return written;
+    file_ = fs::absolute(path);
+    title_ = fileTitle(path);
+    undoStack_.setClean();
+    Q_EMIT fileChanged();
+    return {};
+}
+
+void Document::apply(const Edit& edit, const QString& text, int gesture)
+{
+    if (edit.isEmpty())
+        return;
+    if (!running_ || running_->gesture != gesture)
+        finishRunning();
+    Edit applied = edit;
+    const bool wasModified = isModified();
+    if (running_) {
+        applied.applyTo(scene_);
+        running_->edit.absorb(applied);
+        Q_EMIT sceneChanged();
+        return;
+    }
+    swapIn(applied);
+    if (gesture == 0)
+        undoStack_.push(new EditCommand(*this, std::move(applied), text));
+    else
+        running_ = Running{gesture, std::move(applied), text};
+    if (wasModified != isModified())
+        Q_EMIT fileChanged();
+}
+
+void Document::finishGesture(int gesture)
+{
+    if (running_ && running_->gesture == gesture)
+        finishRunning();
+}
+
+void Document::finishRunning()
+{
+    if (!running_)
+        return;
+    Running finished = std::move(*running_);
+    running_.reset();
+    undoStack_.push(new EditCommand(*this, std::move(finished.edit), finished.text));
+}
+
+void Document::cancelGesture(int gesture)
+{
+    if (!running_ || running_->gesture != gesture)
+        return;
+    Edit inverse = std::move(running_->edit);
+    running_.reset();
+    swapIn(inverse);
+    Q_EMIT fileChanged();
+}
+
+void Document::swapIn(Edit& edit)
+{
+    edit.applyTo(scene_);
+    Q_EMIT sceneChanged();
+}
+
+}  // namespace knotspan

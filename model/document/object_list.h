@@ -1,0 +1,38 @@
+// The scene's objects as an item model for list views: name (editable), colour, visibility (a check box).
+// What the user changes in the view goes through the document, as steps that can be undone.
+#pragma once
+
+#include <QAbstractListModel>
+
+#include "model/document/document.h"
+
+namespace knotspan {
+
+class ObjectList : public QAbstractListModel {
+    Q_OBJECT
+
+public:
+    // The document outlives the list.
+    explicit ObjectList(Document& document, QObject* parent = nullptr);
+
+    [[nodiscard]] ObjectId idAt(int row) const { return rows_[static_cast<size_t>(row)].id; }
+    [[nodiscard]] int rowOf(ObjectId id) const;  // -1 where there is none
+
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+    [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
+
+private:
+    struct Row {
+        ObjectId id;
+        SharedObject object;
+    };
+    void follow();
+    [[nodiscard]] QString nameAt(int row) const;
+
+    Document& document_;
+    std::vector<Row> rows_;
+};
+
+}  // namespace knotspan

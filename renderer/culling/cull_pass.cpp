@@ -1,0 +1,71 @@
+#include "renderer/culling/cull_pass.h"
+
+#include <algorithm>
+
+#include "shaders/shared/layouts.h"
+
+namespace knotspan {
+
+namespace {
+
+void computeBarrier(VkCommandBuffer commands)
+{
+    memoryBarrier(commands, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
+                  VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+                  VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT);
+}
+
+}  // namespace
+
+CullPass::CullPass(const Device& device, Bindings& bindings)
+    : device_(device),
+      bindings_(bindings),
+      cull_(makeComputePipeline(device, bindings, "cull.comp")),
+      scan_(makeComputePipeline(device, bindings, "cull_scan.comp")),
+      compact_(makeComputePipeline(device, bindings, "cull_compact.comp"))
+{
+}
+
+void CullPass::prepare(std::uint32_t ksquads, std::uint32_t patchesPerDraw)
+{
+    const auto require = [this](Buffer& buffer, int binding, VkDeviceSize bytes) {
+        if (buffer.bytes() >= bytes)
+            return;
+        buffer = {};  // first, so that both never live at once
+        buffer = Buffer(device_, bytes, Buffer::Place::device);
+        bindings_.set(binding, buffer);
+    };
+    ksquads_ = ksquads;
+    drawCount_ = (ksquads + patchesPerDraw - 1) / patchesPerDraw;
+    const VkDeviceSize groups = (ksquads + CULL_KSQUADS - 1) / CULL_KSQUADS;
+    require(visible_, BINDING_VISIBLE, std::max<VkDeviceSize>(ksquads, 1) * sizeof(std::uint32_t));
+    require(groups_, BINDING_CULL_GROUPS, std::max<VkDeviceSize>(groups, 1) * 3 * sizeof(std::uint32_t));
+    require(draws_, BINDING_DRAWS, std::max<VkDeviceSize>(drawCount_, 1) * sizeof(gpu::DrawRecord));
+}
+
+void CullPass::record(VkCommandBuffer commands) const
+{
+    // Waits for the frame before, whose compaction read the groups.
+    memoryBarrier(commands, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
+                  VK_PIPELINE_STAGE_2_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT);
+    vkCmdFillBuffer(commands, groups_.get(), 0, VK_WHOLE_SIZE, 0);
+    memoryBarrier(commands, VK_PIPELINE_STAGE_2_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
+                  VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+                  VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT);
+    bindings_.bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE);
+    const GroupCount groups = groupsFor(ksquads_, CULL_KSQUADS);
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, cull_.get());
+    vkCmdDispatch(commands, groups.x, groups.y, 1);
+    computeBarrier(commands);
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, scan_.get());
+    vkCmdDispatch(commands, 1, 1, 1);
+    computeBarrier(commands);
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, compact_.get());
+    vkCmdDispatch(commands, groups.x, groups.y, 1);
+    memoryBarrier(commands, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
+                  VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT | VK_PIPELINE_STAGE_2_PRE_RASTERIZATION_SHADERS_BIT,
+                  VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_READ_BIT |
+                      VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT);
+}
+
+}  // namespace knotspan

@@ -1,0 +1,114 @@
+#include "renderer/frame_targets.h"
+
+#include <cstring>
+
+#include "renderer/vulkan/pipeline.h"
+
+namespace knotspan {
+
+namespace {
+
+VkRenderingAttachmentInfo attachment(const Image& image, VkImageLayout layout, VkClearValue clear, bool keep)
+{
+    VkRenderingAttachmentInfo info{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
+    info.imageView = image.view();
+    info.imageLayout = layout;
+    info.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
+    info.storeOp = keep ? VK_ATTACHMENT_STORE_OP_STORE : VK_ATTACHMENT_STORE_OP_DONT_CARE;
+    info.clearValue = clear;
+    return info;
+}
+
+}  // namespace
+
+FrameTargets::FrameTargets(const Device& device, VkExtent2D extent)
+    : device_(device),
+      extent_(extent),
+      colour_(device, kColourFormat, extent,
+              VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
+              VK_IMAGE_ASPECT_COLOR_BIT),
+      indices_(device, kIndexFormat, extent,
+               VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
+               VK_IMAGE_ASPECT_COLOR_BIT),
+      depth_(device, kDepthFormat, extent, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
+             VK_IMAGE_ASPECT_DEPTH_BIT)
+{
+}
+
+void FrameTargets::begin(VkCommandBuffer commands)
+{
+    for (Image* image : {&colour_, &indices_})
+        image->transition(
+            commands, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, 0,
+            VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
+            VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT, true);
+    depth_.transition(
+        commands, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, 0,
+        VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT,
+        VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT | VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT, true);
+
+    VkClearValue background{};
+    background.color = {{static_cast<float>(kBackground[0]) / 255.0F,
+                         static_cast<float>(kBackground[1]) / 255.0F,
+                         static_cast<float>(kBackground[2]) / 255.0F, 1.0F}};
+    const VkClearValue nothing{};
+    const VkRenderingAttachmentInfo colours[] = {
+        attachment(colour_, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, background, true),
+        attachment(indices_, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, nothing, true)};
+    const VkRenderingAttachmentInfo depth =
+        attachment(depth_, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, nothing, false);
+    VkRenderingInfo info{VK_STRUCTURE_TYPE_RENDERING_INFO};
+    info.renderArea = {{0, 0}, extent_};
+    info.layerCount = 1;
+    info.colorAttachmentCount = 2;
+    info.pColorAttachments = colours;
+    info.pDepthAttachment = &depth;
+    vkCmdBeginRendering(commands, &info);
+    const VkViewport viewport{0, 0, static_cast<float>(extent_.width), static_cast<float>(extent_.height),
+                              0, 1};
+    vkCmdSetViewport(commands, 0, 1, &viewport);
+    vkCmdSetScissor(commands, 0, 1, &info.renderArea);
+}
+
+void FrameTargets::end(VkCommandBuffer commands)
+{
+    vkCmdEndRendering(commands);
+    for (Image* image : {&colour_, &indices_})
+        image->transition(commands, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+                          VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
+                          VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT, VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
+                          VK_ACCESS_2_TRANSFER_READ_BIT);
+}
+
+Picture FrameTargets::read() const
+{
+    Picture picture{static_cast<int>(extent_.width), static_cast<int>(extent_.height), {}};
+    picture.rgba.resize(size_t{4} * extent_.width * extent_.height);
+    copyOut(colour_, {{0, 0}, extent_}, picture.rgba.size(), picture.rgba.data());
+    return picture;
+}
+
+std::uint32_t FrameTargets::surfaceAt(std::uint32_t x, std::uint32_t y) const
+{
+    std::uint32_t index = 0;
+    copyOut(indices_, {{static_cast<int>(x), static_cast<int>(y)}, {1, 1}}, sizeof(index), &index);
+    return index;
+}
+
+void FrameTargets::copyOut(const Image& image, VkRect2D region, VkDeviceSize bytes, void* to) const
+{
+    const Buffer readBack(device_, bytes, Buffer::Place::readBack);
+    device_.execute([&](VkCommandBuffer commands) {
+        VkBufferImageCopy copy{};
+        copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+        copy.imageOffset = {region.offset.x, region.offset.y, 0};
+        copy.imageExtent = {region.extent.width, region.extent.height, 1};
+        vkCmdCopyImageToBuffer(commands, image.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, readBack.get(), 1,
+                               &copy);
+        memoryBarrier(commands, VK_PIPELINE_STAGE_2_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
+                      VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT);
+    });
+    std::memcpy(to, readBack.mapped(), bytes);
+}
+
+}  // namespace knotspan

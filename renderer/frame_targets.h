@@ -1,0 +1,36 @@
+// The images that a frame is drawn into: colour, the surfaces' indices for picking, and depth.
+#pragma once
+
+#include "renderer/renderer.h"
+#include "renderer/vulkan/buffer.h"
+#include "renderer/vulkan/image.h"
+
+namespace knotspan {
+
+class FrameTargets {
+public:
+    FrameTargets(const Device& device, VkExtent2D extent);
+
+    [[nodiscard]] VkExtent2D extent() const { return extent_; }
+    [[nodiscard]] Image& colour() { return colour_; }
+
+    // Between the two, drawing goes into these images, which start as the background. After end() they can be
+    // copied.
+    void begin(VkCommandBuffer commands);
+    void end(VkCommandBuffer commands);
+
+    [[nodiscard]] Picture read() const;
+    // The index + 1 of the surface at a pixel; 0: the background.
+    [[nodiscard]] std::uint32_t surfaceAt(std::uint32_t x, std::uint32_t y) const;
+
+private:
+    void copyOut(const Image& image, VkRect2D region, VkDeviceSize bytes, void* to) const;
+
+    const Device& device_;
+    VkExtent2D extent_;
+    Image colour_;
+    Image indices_;
+    Image depth_;
+};
+
+}  // namespace knotspan

@@ -1,0 +1,47 @@
+// The path of Lema, "Culling techniques for deformable NURBS surfaces" (2023): a task group looks at 32
+// KSQuads, a mesh group draws one as 9x9 vertices.
+#include "renderer/paths/surface_path.h"
+
+namespace knotspan {
+
+namespace {
+
+constexpr SamplingRule kNineByNine{SamplingRule::Kind::fixed, 8};
+
+class Mesh9x9Path : public SurfacePath {
+public:
+    Mesh9x9Path(const Device& device, const Bindings& bindings)
+        : drawMeshTasks_(device.drawMeshTasks()),
+          pipeline_(makeGraphicsPipeline(device, bindings,
+                                         {.stages = {"mesh_9x9.task", "mesh_9x9.mesh", "surface.frag"}}))
+    {
+    }
+
+    [[nodiscard]] bool takesVisibleList() const override { return false; }
+    [[nodiscard]] SamplingRule defaultSampling() const override { return kNineByNine; }
+    [[nodiscard]] bool supports(SamplingRule rule) const override { return rule == kNineByNine; }
+
+    void draw(VkCommandBuffer commands, std::uint32_t ksquads, const VisibleDraws&) const override
+    {
+        const GroupCount groups = groupsFor(ksquads, TASK_KSQUADS);
+        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_.get());
+        drawMeshTasks_(commands, groups.x, groups.y, 1);
+    }
+
+private:
+    PFN_vkCmdDrawMeshTasksEXT drawMeshTasks_;
+    Pipeline pipeline_;
+};
+
+}  // namespace
+
+PathFactory mesh9x9Path()
+{
+    return {{PathId::mesh9x9, "mesh-9x9", "Task and mesh stages, every KSQuad as 9 by 9 vertices"},
+            [](const Device& device) { return device.abilities().noMeshStages; },
+            [](const Device& device, const Bindings& bindings) -> std::unique_ptr<SurfacePath> {
+                return std::make_unique<Mesh9x9Path>(device, bindings);
+            }};
+}
+
+}  // namespace knotspan

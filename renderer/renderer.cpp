@@ -1,0 +1,158 @@
+#include "renderer/renderer.h"
+
+#include <new>
+
+#include "renderer/renderer_parts.h"
+
+namespace knotspan {
+
+namespace {
+
+// The renderer's border: what is an exception inside is an Error outside.
+template <class Work>
+auto guarded(Work&& work) -> Result<decltype(work())>
+{
+    try {
+        if constexpr (std::is_void_v<decltype(work())>) {
+            work();
+            return {};
+        } else {
+            return work();
+        }
+    } catch (const VulkanError& error) {
+        return tl::unexpected(error.error());
+    } catch (const std::bad_alloc&) {
+        return failure("The memory is full", "Close other programs, or open a smaller model");
+    }
+}
+
+Validation validationFor(const RendererOptions& options)
+{
+    if (options.validation)
+        return Validation::required;
+#ifdef NDEBUG
+    return Validation::off;
+#else
+    return Validation::whereInstalled;
+#endif
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Renderer>> Renderer::create(const RendererOptions& options)
+{
+    return guarded([&] {
+        auto parts = std::make_unique<Parts>(std::make_unique<Instance>(validationFor(options)), options);
+        return std::unique_ptr<Renderer>(new Renderer(std::move(parts)));
+    });
+}
+
+Result<std::vector<std::string>> Renderer::devices()
+{
+    return guarded([] {
+        const Instance instance(Validation::off);
+        std::vector<std::string> names;
+        for (VkPhysicalDevice device : instance.devices()) {
+            VkPhysicalDeviceProperties properties;
+            vkGetPhysicalDeviceProperties(device, &properties);
+            names.emplace_back(properties.deviceName);
+        }
+        if (names.empty())
+            throw VulkanError(noDeviceError());
+        return names;
+    });
+}
+
+Renderer::Renderer(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+
+Renderer::~Renderer() = default;
+
+const std::string& Renderer::deviceName() const
+{
+    return parts_->device.name();
+}
+
+std::string Renderer::whyUnavailable(PathId path) const
+{
+    return pathFactory(path).whyUnavailable(parts_->device);
+}
+
+PathId Renderer::bestPath() const
+{
+    for (const PathInfo& path : paths())
+        if (whyUnavailable(path.id).empty())
+            return path.id;
+    return paths().back().id;
+}
+
+Result<void> Renderer::sync(const Scene& scene)
+{
+    return guarded([&] { parts_->scene.sync(scene); });
+}
+
+Result<FrameStats> Renderer::draw(const Frame& frame)
+{
+    return guarded([&] { return parts_->draw(frame, false); });
+}
+
+Result<Picture> Renderer::capture()
+{
+    if (!parts_->targets)
+        return failure("There is no picture yet", "Draw a frame first");
+    return guarded([&] { return parts_->targets->read(); });
+}
+
+Result<Pick> Renderer::pick(double x, double y, double radiusPx)
+{
+    return guarded([&] { return parts_->pick(x, y, radiusPx); });
+}
+
+void* Renderer::instance() const
+{
+    return parts_->instance->get();
+}
+
+Result<std::unique_ptr<Swapchain>> Renderer::createSwapchain(std::uint64_t surface, int width, int height)
+{
+    return guarded([&] {
+        // A VkSurfaceKHR is a pointer on 64-bit machines and a number elsewhere.
+        const auto handle = (VkSurfaceKHR)surface;  // NOLINT
+        const VkExtent2D extent{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
+        return std::make_unique<Swapchain>(std::unique_ptr<Swapchain::Parts>(
+            new Swapchain::Parts{WindowImages(parts_->device, handle, extent)}));
+    });
+}
+
+Result<bool> Renderer::present(Swapchain& swapchain)
+{
+    if (!parts_->targets)
+        return failure("There is no picture yet", "Draw a frame first");
+    return guarded([&] { return swapchain.parts().images.show(parts_->targets->colour()); });
+}
+
+Result<std::vector<CapturedVertex>> Renderer::captureVertices(const Frame& frame)
+{
+    return guarded([&] { return parts_->captureVertices(frame); });
+}
+
+Result<std::vector<CapturedVertex>> Renderer::evaluate(const std::vector<EvaluationPoint>& points)
+{
+    return guarded([&] { return parts_->evaluate(points); });
+}
+
+Vec3 Renderer::surfaceOrigin(ObjectId object) const
+{
+    const auto* resident = parts_->scene.find(object);
+    return resident != nullptr ? resident->frame.origin : Vec3(0);
+}
+
+std::vector<std::string> Renderer::validationMessages() const
+{
+    return parts_->instance->messages();
+}
+
+Swapchain::Swapchain(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+
+Swapchain::~Swapchain() = default;
+
+}  // namespace knotspan

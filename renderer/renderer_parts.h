@@ -1,0 +1,60 @@
+// What a Renderer is made of, behind its border; here Vulkan failures are exceptions.
+#pragma once
+
+#include <chrono>
+#include <map>
+
+#include "renderer/culling/cull_pass.h"
+#include "renderer/frame_targets.h"
+#include "renderer/overlays/control_net.h"
+#include "renderer/paths/surface_path.h"
+#include "renderer/scene/gpu_scene.h"
+#include "renderer/stats/gpu_clock.h"
+#include "renderer/stats/gpu_counters.h"
+#include "renderer/vulkan/window_images.h"
+
+namespace knotspan {
+
+struct Renderer::Parts {
+    Parts(std::unique_ptr<Instance> madeInstance, const RendererOptions& options);
+
+    FrameStats draw(const Frame& frame, bool capture);
+    Pick pick(double x, double y, double radiusPx);
+    std::vector<CapturedVertex> captureVertices(const Frame& frame);
+    std::vector<CapturedVertex> evaluate(const std::vector<EvaluationPoint>& points);
+
+    // In this order: each needs those above it.
+    std::unique_ptr<Instance> instance;
+    Device device;
+    Bindings bindings;
+    Uploader uploader;
+    GpuCounters counters;
+    GpuClock clock;
+    GpuScene scene;
+    CullPass culling;
+    ControlNet controlNet;
+    std::map<PathId, std::unique_ptr<SurfacePath>> paths;  // made when first drawn with
+    std::unique_ptr<FrameTargets> targets;
+    std::optional<Frame> lastFrame;
+
+private:
+    SurfacePath& pathFor(PathId id);
+    void updateFrameRecord(const Frame& frame, const SurfacePath& path, SamplingRule sampling, bool capture);
+    void uploadRecord(const gpu::FrameRecord& record);
+    void drawOverlays(VkCommandBuffer commands, const Overlays& overlays) const;
+    [[nodiscard]] std::vector<CapturedVertex> named(const std::vector<gpu::CapturedRecord>& records) const;
+    [[nodiscard]] std::optional<PickedControlPoint> nearestControlPoint(const Vec2& pixel,
+                                                                        double radiusPx) const;
+
+    Buffer frameBuffer_;
+    std::optional<gpu::FrameRecord> frameRecord_;  // what the device holds
+    Pipeline evaluate_;
+    Buffer requests_;
+    std::uint64_t firstUpload_ = 0;
+};
+
+struct Swapchain::Parts {
+    WindowImages images;
+};
+
+}  // namespace knotspan

@@ -1,0 +1,98 @@
+#include "renderer/vulkan/buffer.h"
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+#include "model/core/check.h"
+
+namespace knotspan {
+
+Buffer::Buffer(const Device& device, VkDeviceSize bytes, Place place) : device_(&device), bytes_(bytes)
+{
+    VkBufferCreateInfo info{VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO};
+    info.size = bytes;
+    info.usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+    if (place == Place::device)
+        info.usage |= VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT;
+    vkCheck(vkCreateBuffer(device.get(), &info, nullptr, &buffer_), "making a buffer");
+
+    VkMemoryRequirements requirements;
+    vkGetBufferMemoryRequirements(device.get(), buffer_, &requirements);
+    constexpr VkMemoryPropertyFlags kHost =
+        VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+    const VkMemoryPropertyFlags required = place == Place::device ? 0 : kHost;
+    const VkMemoryPropertyFlags preferred = place == Place::device     ? VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT
+                                            : place == Place::readBack ? VK_MEMORY_PROPERTY_HOST_CACHED_BIT
+                                                                       : 0;
+    VkMemoryAllocateInfo allocate{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO};
+    allocate.allocationSize = requirements.size;
+    allocate.memoryTypeIndex = device.memoryType(requirements.memoryTypeBits, required, preferred);
+    const VkResult result = vkAllocateMemory(device.get(), &allocate, nullptr, &memory_);
+    if (result != VK_SUCCESS)
+        vkDestroyBuffer(device.get(), std::exchange(buffer_, VK_NULL_HANDLE), nullptr);
+    vkCheck(result, "reserving memory");
+    allocated_ = requirements.size;
+    device.allocatedBytes += allocated_;
+    vkCheck(vkBindBufferMemory(device.get(), buffer_, memory_, 0), "reserving memory");
+    if (place != Place::device) {
+        void* mapped = nullptr;
+        vkCheck(vkMapMemory(device.get(), memory_, 0, VK_WHOLE_SIZE, 0, &mapped), "reserving memory");
+        mapped_ = static_cast<std::byte*>(mapped);
+    }
+}
+
+Buffer::Buffer(Buffer&& other) noexcept
+{
+    *this = std::move(other);
+}
+
+Buffer& Buffer::operator=(Buffer&& other) noexcept
+{
+    std::swap(device_, other.device_);
+    std::swap(buffer_, other.buffer_);
+    std::swap(memory_, other.memory_);
+    std::swap(bytes_, other.bytes_);
+    std::swap(allocated_, other.allocated_);
+    std::swap(mapped_, other.mapped_);
+    return *this;
+}
+
+Buffer::~Buffer()
+{
+    if (device_ == nullptr)
+        return;
+    vkDestroyBuffer(device_->get(), buffer_, nullptr);
+    vkFreeMemory(device_->get(), memory_, nullptr);
+    device_->allocatedBytes -= allocated_;
+}
+
+void Uploader::write(const Buffer& target, VkDeviceSize offset, std::span<const std::byte> bytes)
+{
+    if (bytes.empty())
+        return;
+    check(offset + bytes.size() <= target.bytes(), "an upload lies inside its buffer");
+    copies_.push_back({target.get(), {pending_.size(), offset, bytes.size()}});
+    pending_.insert(pending_.end(), bytes.begin(), bytes.end());
+}
+
+VkDeviceSize Uploader::flush(VkCommandBuffer commands)
+{
+    const VkDeviceSize bytes = pending_.size();
+    if (bytes == 0)
+        return 0;
+    if (staging_.bytes() < bytes) {
+        staging_ = {};  // first, so that both never live at once
+        staging_ = Buffer(device_, std::max<VkDeviceSize>(bytes, 1 << 16), Buffer::Place::upload);
+    }
+    std::memcpy(staging_.mapped(), pending_.data(), bytes);
+    for (const Copy& copy : copies_)
+        vkCmdCopyBuffer(commands, staging_.get(), copy.target, 1, &copy.region);
+    memoryBarrier(commands, VK_PIPELINE_STAGE_2_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
+                  VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+                  VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_TRANSFER_WRITE_BIT);
+    discard();
+    return bytes;
+}
+
+}  // namespace knotspan

@@ -1,0 +1,222 @@
+#include "renderer/vulkan/pipeline.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include "model/core/check.h"
+#include "shaders/shared/layouts.h"
+#include "shaders/spirv.h"
+
+namespace knotspan {
+
+namespace {
+
+VkShaderStageFlagBits stageOf(std::string_view file)
+{
+    constexpr std::pair<std::string_view, VkShaderStageFlagBits> kStages[] = {
+        {".vert", VK_SHADER_STAGE_VERTEX_BIT},
+        {".tesc", VK_SHADER_STAGE_TESSELLATION_CONTROL_BIT},
+        {".tese", VK_SHADER_STAGE_TESSELLATION_EVALUATION_BIT},
+        {".task", VK_SHADER_STAGE_TASK_BIT_EXT},
+        {".mesh", VK_SHADER_STAGE_MESH_BIT_EXT},
+        {".frag", VK_SHADER_STAGE_FRAGMENT_BIT},
+        {".comp", VK_SHADER_STAGE_COMPUTE_BIT}};
+    const auto stage = std::find_if(std::begin(kStages), std::end(kStages),
+                                    [&](const auto& entry) { return file.ends_with(entry.first); });
+    check(stage != std::end(kStages), "the shader's file name ends in its stage");
+    return stage->second;
+}
+
+ShaderModule makeModule(const Device& device, const char* file)
+{
+    const auto words = spirv(file);
+    check(!words.empty(), "the shader is embedded");
+    VkShaderModuleCreateInfo info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
+    info.codeSize = words.size_bytes();
+    info.pCode = words.data();
+    VkShaderModule module = VK_NULL_HANDLE;
+    vkCheck(vkCreateShaderModule(device.get(), &info, nullptr, &module), "loading a shader");
+    return {device.get(), module};
+}
+
+VkPipelineShaderStageCreateInfo stageInfo(VkShaderModule module, VkShaderStageFlagBits stage)
+{
+    VkPipelineShaderStageCreateInfo info{VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO};
+    info.stage = stage;
+    info.module = module;
+    info.pName = "main";
+    return info;
+}
+
+}  // namespace
+
+Bindings::Bindings(const Device& device) : device_(device), placeholder_(device, 256, Buffer::Place::device)
+{
+    VkShaderStageFlags stages = VK_SHADER_STAGE_ALL_GRAPHICS | VK_SHADER_STAGE_COMPUTE_BIT;
+    if (device.abilities().noMeshStages.empty())
+        stages |= VK_SHADER_STAGE_TASK_BIT_EXT | VK_SHADER_STAGE_MESH_BIT_EXT;
+    std::array<VkDescriptorSetLayoutBinding, BINDING_COUNT> bindings{};
+    for (std::uint32_t i = 0; i < BINDING_COUNT; ++i)
+        bindings[i] = {i, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, stages, nullptr};
+    VkDescriptorSetLayoutCreateInfo setInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
+    setInfo.bindingCount = BINDING_COUNT;
+    setInfo.pBindings = bindings.data();
+    VkDescriptorSetLayout setLayout = VK_NULL_HANDLE;
+    vkCheck(vkCreateDescriptorSetLayout(device.get(), &setInfo, nullptr, &setLayout), "making a layout");
+    setLayout_ = {device.get(), setLayout};
+
+    const VkPushConstantRange range{VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0,
+                                    sizeof(gpu::OverlayConstants)};
+    VkPipelineLayoutCreateInfo layoutInfo{VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
+    layoutInfo.setLayoutCount = 1;
+    layoutInfo.pSetLayouts = &setLayout;
+    layoutInfo.pushConstantRangeCount = 1;
+    layoutInfo.pPushConstantRanges = &range;
+    VkPipelineLayout layout = VK_NULL_HANDLE;
+    vkCheck(vkCreatePipelineLayout(device.get(), &layoutInfo, nullptr, &layout), "making a layout");
+    pipelineLayout_ = {device.get(), layout};
+
+    const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, BINDING_COUNT};
+    VkDescriptorPoolCreateInfo poolInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
+    poolInfo.maxSets = 1;
+    poolInfo.poolSizeCount = 1;
+    poolInfo.pPoolSizes = &size;
+    VkDescriptorPool pool = VK_NULL_HANDLE;
+    vkCheck(vkCreateDescriptorPool(device.get(), &poolInfo, nullptr, &pool), "making a descriptor pool");
+    pool_ = {device.get(), pool};
+    VkDescriptorSetAllocateInfo allocate{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
+    allocate.descriptorPool = pool;
+    allocate.descriptorSetCount = 1;
+    allocate.pSetLayouts = &setLayout;
+    vkCheck(vkAllocateDescriptorSets(device.get(), &allocate, &set_), "making a descriptor set");
+    for (int binding = 0; binding < BINDING_COUNT; ++binding)
+        set(binding, placeholder_);
+}
+
+void Bindings::set(int binding, const Buffer& buffer)
+{
+    const VkDescriptorBufferInfo info{buffer.get(), 0, VK_WHOLE_SIZE};
+    VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
+    write.dstSet = set_;
+    write.dstBinding = static_cast<std::uint32_t>(binding);
+    write.descriptorCount = 1;
+    write.descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+    write.pBufferInfo = &info;
+    vkUpdateDescriptorSets(device_.get(), 1, &write, 0, nullptr);
+}
+
+void Bindings::bind(VkCommandBuffer commands, VkPipelineBindPoint point) const
+{
+    vkCmdBindDescriptorSets(commands, point, pipelineLayout_.get(), 0, 1, &set_, 0, nullptr);
+}
+
+void Bindings::push(VkCommandBuffer commands, const void* data, std::uint32_t bytes) const
+{
+    vkCmdPushConstants(commands, pipelineLayout_.get(),
+                       VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0, bytes, data);
+}
+
+Pipeline makeGraphicsPipeline(const Device& device, const Bindings& bindings,
+                              const GraphicsPipelineInfo& info)
+{
+    const VkBool32 lines = info.lines ? VK_TRUE : VK_FALSE;
+    const VkSpecializationMapEntry entry{0, 0, sizeof(lines)};
+    const VkSpecializationInfo specialization{1, &entry, sizeof(lines), &lines};
+    std::vector<ShaderModule> modules;
+    std::vector<VkPipelineShaderStageCreateInfo> stages;
+    for (const char* file : info.stages) {
+        modules.push_back(makeModule(device, file));
+        stages.push_back(stageInfo(modules.back().get(), stageOf(file)));
+        if (info.overlay)
+            stages.back().pSpecializationInfo = &specialization;
+    }
+
+    VkPipelineVertexInputStateCreateInfo vertexInput{
+        VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
+    VkPipelineInputAssemblyStateCreateInfo assembly{
+        VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO};
+    assembly.topology = info.topology;
+    VkPipelineTessellationStateCreateInfo tessellation{
+        VK_STRUCTURE_TYPE_PIPELINE_TESSELLATION_STATE_CREATE_INFO};
+    tessellation.patchControlPoints = 1;  // a patch is the index of a KSQuad
+    VkPipelineViewportStateCreateInfo viewport{VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO};
+    viewport.viewportCount = 1;
+    viewport.scissorCount = 1;
+    VkPipelineRasterizationStateCreateInfo raster{VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO};
+    raster.cullMode = VK_CULL_MODE_NONE;
+    raster.lineWidth = 1.0F;
+    VkPipelineMultisampleStateCreateInfo multisample{
+        VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
+    multisample.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
+    VkPipelineDepthStencilStateCreateInfo depth{VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO};
+    depth.depthTestEnable = VK_TRUE;
+    depth.depthWriteEnable = info.overlay ? VK_FALSE : VK_TRUE;
+    depth.depthCompareOp = VK_COMPARE_OP_GREATER;
+    std::array<VkPipelineColorBlendAttachmentState, 2> blends{};
+    blends[0].colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT;
+    if (info.overlay) {
+        blends[0].blendEnable = VK_TRUE;
+        blends[0].srcColorBlendFactor = VK_BLEND_FACTOR_SRC_ALPHA;
+        blends[0].dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
+    } else {
+        blends[1].colorWriteMask = VK_COLOR_COMPONENT_R_BIT;
+    }
+    VkPipelineColorBlendStateCreateInfo blend{VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};
+    blend.attachmentCount = static_cast<std::uint32_t>(blends.size());
+    blend.pAttachments = blends.data();
+    const VkDynamicState dynamicStates[] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR,
+                                            VK_DYNAMIC_STATE_DEPTH_COMPARE_OP};
+    VkPipelineDynamicStateCreateInfo dynamic{VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO};
+    dynamic.dynamicStateCount = info.overlay ? 3 : 2;
+    dynamic.pDynamicStates = dynamicStates;
+    const VkFormat colours[] = {kColourFormat, kIndexFormat};
+    VkPipelineRenderingCreateInfo rendering{VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO};
+    rendering.colorAttachmentCount = 2;
+    rendering.pColorAttachmentFormats = colours;
+    rendering.depthAttachmentFormat = kDepthFormat;
+
+    const VkShaderStageFlagBits first = stages.front().stage;
+    VkGraphicsPipelineCreateInfo create{VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO};
+    create.pNext = &rendering;
+    create.stageCount = static_cast<std::uint32_t>(stages.size());
+    create.pStages = stages.data();
+    if (first == VK_SHADER_STAGE_VERTEX_BIT) {
+        create.pVertexInputState = &vertexInput;
+        create.pInputAssemblyState = &assembly;
+    }
+    if (info.topology == VK_PRIMITIVE_TOPOLOGY_PATCH_LIST)
+        create.pTessellationState = &tessellation;
+    create.pViewportState = &viewport;
+    create.pRasterizationState = &raster;
+    create.pMultisampleState = &multisample;
+    create.pDepthStencilState = &depth;
+    create.pColorBlendState = &blend;
+    create.pDynamicState = &dynamic;
+    create.layout = bindings.layout();
+    VkPipeline pipeline = VK_NULL_HANDLE;
+    vkCheck(vkCreateGraphicsPipelines(device.get(), VK_NULL_HANDLE, 1, &create, nullptr, &pipeline),
+            "preparing a drawing pipeline");
+    return {device.get(), pipeline};
+}
+
+Pipeline makeComputePipeline(const Device& device, const Bindings& bindings, const char* stage)
+{
+    const ShaderModule module = makeModule(device, stage);
+    VkComputePipelineCreateInfo create{VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
+    create.stage = stageInfo(module.get(), stageOf(stage));
+    create.layout = bindings.layout();
+    VkPipeline pipeline = VK_NULL_HANDLE;
+    vkCheck(vkCreateComputePipelines(device.get(), VK_NULL_HANDLE, 1, &create, nullptr, &pipeline),
+            "preparing a computing pipeline");
+    return {device.get(), pipeline};
+}
+
+GroupCount groupsFor(std::uint32_t items, std::uint32_t itemsPerGroup)
+{
+    constexpr std::uint32_t kMostGroups = 65535;
+    const std::uint32_t groups = (items + itemsPerGroup - 1) / itemsPerGroup;
+    const std::uint32_t x = std::clamp(groups, 1U, kMostGroups);
+    return {x, (groups + x - 1) / x};
+}
+
+}  // namespace knotspan

@@ -1,0 +1,57 @@
+// The one descriptor set and pipeline layout that all pipelines share, and the making of pipelines from stage
+// names.
+#pragma once
+
+#include <array>
+#include <initializer_list>
+
+#include "renderer/vulkan/buffer.h"
+#include "shaders/shared/bindings.h"
+
+namespace knotspan {
+
+// One set of storage buffers, numbered by shaders/shared/bindings.h, and push constants for the overlays.
+class Bindings {
+public:
+    explicit Bindings(const Device& device);
+
+    // Takes effect at the next use of the set; no frame may be in flight.
+    void set(int binding, const Buffer& buffer);
+    void bind(VkCommandBuffer commands, VkPipelineBindPoint point) const;
+    void push(VkCommandBuffer commands, const void* data, std::uint32_t bytes) const;
+    [[nodiscard]] VkPipelineLayout layout() const { return pipelineLayout_.get(); }
+
+private:
+    const Device& device_;
+    DescriptorSetLayout setLayout_;
+    PipelineLayout pipelineLayout_;
+    DescriptorPool pool_;
+    VkDescriptorSet set_ = VK_NULL_HANDLE;
+    Buffer placeholder_;  // stands where nothing is bound yet
+};
+
+// What the renderer draws into: colour, the surface's index + 1, depth reversed (1 near, 0 far).
+constexpr VkFormat kColourFormat = VK_FORMAT_R8G8B8A8_UNORM;
+constexpr VkFormat kIndexFormat = VK_FORMAT_R32_UINT;
+constexpr VkFormat kDepthFormat = VK_FORMAT_D32_SFLOAT;
+
+struct GraphicsPipelineInfo {
+    std::initializer_list<const char*> stages;  // file names: "surface.frag"
+    VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+    bool overlay = false;  // blended, writes neither depth nor the surface's index
+    bool lines = false;    // the specialization constant 0 of the overlay stages
+};
+
+// Overlay pipelines set their depth comparison when they draw.
+[[nodiscard]] Pipeline makeGraphicsPipeline(const Device& device, const Bindings& bindings,
+                                            const GraphicsPipelineInfo& info);
+[[nodiscard]] Pipeline makeComputePipeline(const Device& device, const Bindings& bindings, const char* stage);
+
+// Groups for `count` items of work in two dimensions, because one holds only 65,535.
+struct GroupCount {
+    std::uint32_t x;
+    std::uint32_t y;
+};
+[[nodiscard]] GroupCount groupsFor(std::uint32_t items, std::uint32_t itemsPerGroup);
+
+}  // namespace knotspan

@@ -1,0 +1,59 @@
+// A surface's point and tangents on one KSQuad from the basis functions of both directions: the same text for every
+// shader stage and for C++.
+//
+// Control points are homogeneous (w x, w y, w z, w), relative to the surface's own origin. The NURBS Book, A4.4.
+#ifndef KNOTSPAN_NURBS_SURFACE_GLSL
+#define KNOTSPAN_NURBS_SURFACE_GLSL
+
+#include "nurbs_basis.glsl"
+
+#ifdef __cplusplus
+namespace knotspan::gpu {
+#endif
+
+KNOTSPAN_TEMPLATE
+struct SurfaceSample {
+    KNOTSPAN_VEC3 position;
+    KNOTSPAN_VEC3 du;  // by the span's own t, not by u
+    KNOTSPAN_VEC3 dv;
+};
+
+// `firstPoint` is the index of B_{i-p,j-q}, `stride` the distance between rows of the net.
+KNOTSPAN_SOURCE_TEMPLATE
+SurfaceSample KNOTSPAN_OF_REAL contractNet(KNOTSPAN_SOURCE uint firstPoint, uint stride, int degreeU, int degreeV,
+                                           Basis KNOTSPAN_OF_REAL basisU, Basis KNOTSPAN_OF_REAL basisV)
+{
+    KNOTSPAN_VEC4 sum = KNOTSPAN_VEC4(Real(0));
+    KNOTSPAN_VEC4 sumU = KNOTSPAN_VEC4(Real(0));
+    KNOTSPAN_VEC4 sumV = KNOTSPAN_VEC4(Real(0));
+    for (int i = 0; i <= degreeU; ++i) {
+        KNOTSPAN_VEC4 row = KNOTSPAN_VEC4(Real(0));
+        KNOTSPAN_VEC4 rowV = KNOTSPAN_VEC4(Real(0));
+        for (int j = 0; j <= degreeV; ++j) {
+            KNOTSPAN_VEC4 point = controlPoint(firstPoint + uint(i) * stride + uint(j));
+            row += basisV.value[j] * point;
+            rowV += basisV.slope[j] * point;
+        }
+        sum += basisU.value[i] * row;
+        sumU += basisU.slope[i] * row;
+        sumV += basisU.value[i] * rowV;
+    }
+    SurfaceSample KNOTSPAN_OF_REAL result;
+    result.position = KNOTSPAN_VEC3(sum) / sum.w;
+    result.du = (KNOTSPAN_VEC3(sumU) - sumU.w * result.position) / sum.w;
+    result.dv = (KNOTSPAN_VEC3(sumV) - sumV.w * result.position) / sum.w;
+    return result;
+}
+
+// Whether S_u x S_v says nothing about the normal: a tangent vanishes (a pole) or both point the same way.
+KNOTSPAN_TEMPLATE
+bool isDegenerate(KNOTSPAN_VEC3 du, KNOTSPAN_VEC3 dv)
+{
+    KNOTSPAN_VEC3 n = cross(du, dv);
+    return !(dot(n, n) > Real(1e-9) * dot(du, du) * dot(dv, dv)) || !(dot(n, n) > Real(0));
+}
+
+#ifdef __cplusplus
+}  // namespace knotspan::gpu
+#endif
+#endif

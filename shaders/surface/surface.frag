@@ -1,0 +1,73 @@
+// The colour of a surface's pixel: where all paths end.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+
+#include "../shared/scene.glsl"
+#include "surface_io.glsl"
+
+SURFACE_IN
+
+layout(location = 0) out vec4 outColour;   // sRGB, encoded here
+layout(location = 1) out uint outSurface;  // index + 1, for picking
+
+#define SHADING_NORMALS 1u
+#define SHADING_KSQUADS 2u
+
+vec3 encodedSrgb(vec3 linear)
+{
+    linear = clamp(linear, 0.0, 1.0);
+    return mix(1.055 * pow(linear, vec3(1.0 / 2.4)) - 0.055, 12.92 * linear, lessThan(linear, vec3(0.0031308)));
+}
+
+// A colour for each KSQuad that neighbours rarely share.
+vec3 ksquadColour(uint index)
+{
+    uint h = index * 2654435769u;
+    h = (h ^ h >> 15) * 2246822519u;
+    float hue = float(h & 0xffffu) / 65536.0;
+    vec3 rainbow = clamp(abs(fract(hue + vec3(0.0, 2.0 / 3.0, 1.0 / 3.0)) * 6.0 - 3.0) - 1.0, 0.0, 1.0);
+    return mix(vec3(0.55), rainbow, 0.45) * (0.6 + 0.4 * float(h >> 24) / 255.0);
+}
+
+// Two soft lamps that go with the camera, a hemisphere of sky, and a broad highlight that shows flaws.
+vec3 lit(vec3 albedo, vec3 n, vec3 towardsEye)
+{
+    const vec3 key = normalize(vec3(-0.4, 0.7, 0.6));
+    const vec3 fill = normalize(vec3(0.7, 0.1, 0.5));
+    float sky = 0.5 + 0.5 * n.y;
+    vec3 light = vec3(0.13, 0.13, 0.14) + 0.14 * sky * vec3(0.9, 0.95, 1.0);
+    light += 0.62 * max(dot(n, key), 0.0) * vec3(1.0, 0.98, 0.95) + 0.2 * max(dot(n, fill), 0.0);
+    float gloss = pow(max(dot(n, normalize(key + towardsEye)), 0.0), 40.0);
+    return albedo * light + 0.16 * gloss;
+}
+
+// How much of a line of about 1.5 pixels along the KSQuad's border covers this pixel.
+float knotLine(vec2 t)
+{
+    vec2 pixels = min(t, 1.0 - t) / max(fwidth(t), vec2(1e-9));
+    return 1.0 - smoothstep(0.4, 1.3, min(pixels.x, pixels.y));
+}
+
+void main()
+{
+    uint surface = ksquads[inKsquad].surface;
+    bool orthographic = (frame.flags & FRAME_ORTHOGRAPHIC) != 0u;
+    vec3 towardsEye = orthographic ? vec3(0, 0, 1) : -normalize(inPosition);
+    vec3 n = normalize(inNormal) * surfaceViews[surface].facing;
+    bool front = dot(n, towardsEye) >= 0.0;
+    vec3 facing = front ? n : -n;
+
+    vec3 colour;
+    if (frame.shading == SHADING_NORMALS) {
+        colour = pow(0.5 + 0.5 * n, vec3(2.2));
+    } else {
+        vec3 albedo = frame.shading == SHADING_KSQUADS ? ksquadColour(inKsquad) : surfaces[surface].colour;
+        // The inside of a surface is a little darker and warmer, so that its orientation shows.
+        colour = lit(front ? albedo : albedo * vec3(0.75, 0.62, 0.5), facing, towardsEye);
+    }
+    colour = mix(colour, vec3(1.0, 0.45, 0.08), 0.22 * surfaceViews[surface].highlight);
+    if ((frame.flags & FRAME_KNOT_LINES) != 0u)
+        colour = mix(colour, vec3(0.015), 0.8 * knotLine(inT));
+    outColour = vec4(encodedSrgb(colour), 1.0);
+    outSurface = surface + 1u;
+}

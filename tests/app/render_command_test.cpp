@@ -1,0 +1,158 @@
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "renderer/renderer.h"
+#include "tests/app/run_program.h"
+#include "tests/support.h"
+
+using namespace knotspan;
+using namespace knotspan::testing;
+using Json = nlohmann::json;
+namespace fs = std::filesystem;
+
+namespace {
+
+class RenderCommand : public ::testing::Test {
+protected:
+    void SetUp() override
+    {
+        ASSERT_EQ(runProgram({"sample", "nine-16", "-o", model}).exitCode, 0);
+        fs::create_directory(folder / "out");
+    }
+
+    void needDevice()
+    {
+        if (const auto renderer = Renderer::create(); !renderer)
+            GTEST_SKIP() << renderer.error().sentence();
+    }
+
+    // Renders a small picture; returns its bytes.
+    std::string render(std::vector<std::string> more)
+    {
+        more.insert(more.begin(), {"render", model, "-o", picture, "--size", "96x64"});
+        const ProgramRun run = runProgram(more);
+        EXPECT_EQ(run.exitCode, 0) << run.messages;
+        EXPECT_EQ(run.messages, "");
+        output = run.output;
+        return readFile(picture);
+    }
+
+    TemporaryFolder folder;
+    std::string model = folder / "model.knotspan";
+    std::string picture = folder / "out/picture.png";
+    std::string output;
+};
+
+}  // namespace
+
+TEST_F(RenderCommand, WritesAPictureAndTheFiguresOfTheContract)
+{
+    needDevice();
+    if (IsSkipped())
+        return;
+    const std::string png = render({"--stats", "-", "--culling", "none"});
+    EXPECT_EQ(png.substr(0, 8), "\x89PNG\r\n\x1a\n");
+    const Json stats = Json::parse(output);
+    for (const char* name :
+         {"device", "path", "culling", "tolerance_px", "width", "height", "surfaces", "ksquads",
+          "ksquads_drawn", "ksquads_culled", "ksdice", "triangles", "evaluations", "frames", "cpu_ms",
+          "gpu_ms", "upload_bytes_first", "upload_bytes_per_frame", "device_bytes"})
+        EXPECT_TRUE(stats.contains(name)) << name;
+    for (const char* name : {"min", "median", "max"})
+        EXPECT_TRUE(stats.at("gpu_ms").contains(name));
+    EXPECT_EQ(stats.at("width"), 96);
+    EXPECT_EQ(stats.at("height"), 64);
+    EXPECT_EQ(stats.at("surfaces"), 9);
+    EXPECT_EQ(stats.at("ksquads_drawn"), 9);
+    EXPECT_EQ(stats.at("culling"), Json::array({"none"}));
+    EXPECT_GT(stats.at("triangles"), 0);
+    EXPECT_EQ(stats.at("upload_bytes_per_frame"), 0);
+}
+
+TEST_F(RenderCommand, EachOptionChangesThePicture)
+{
+    needDevice();
+    if (IsSkipped())
+        return;
+    const std::string plain = render({});
+    EXPECT_EQ(render({}), plain);
+    for (const std::vector<std::string>& more :
+         std::vector<std::vector<std::string>>{{"--view", "top"},
+                                               {"--orthographic"},
+                                               {"--fov", "60"},
+                                               {"--eye", "-3,-4,5"},
+                                               {"--eye", "-3,-4,5", "--target", "0,0,0", "--up", "1,0,0"},
+                                               {"--shading", "normals"},
+                                               {"--net"},
+                                               {"--knots"}})
+        EXPECT_NE(render(more), plain) << more[0];
+}
+
+TEST_F(RenderCommand, ADeformationMovesTheSurfaceAndUploadsOnlyWhatMoved)
+{
+    needDevice();
+    if (IsSkipped())
+        return;
+    const auto uploaded = [&](const std::string& what) {
+        render({"--frames", "3", "--deform", what, "--stats", folder / "out/stats.json"});
+        const Json stats = Json::parse(readFile(folder / "out/stats.json"));
+        EXPECT_EQ(stats.at("frames"), 3);
+        return stats.at("upload_bytes_per_frame").get<long>();
+    };
+    EXPECT_EQ(uploaded("none"), 0);
+    const long point = uploaded("point");
+    EXPECT_GT(point, 0);
+    EXPECT_LT(point, uploaded("all"));
+}
+
+TEST_F(RenderCommand, RefusesWrongCalls)
+{
+    const std::vector<std::string> good{"render", model, "-o", picture};
+    for (const std::vector<std::string>& more :
+         std::vector<std::vector<std::string>>{{"--size", "96"},
+                                               {"--size", "0x64"},
+                                               {"--size", "96x99999"},
+                                               {"--size", "96x64x"},
+                                               {"--path", "banana"},
+                                               {"--culling", "banana"},
+                                               {"--sampling", "fixed:0"},
+                                               {"--sampling", "x"},
+                                               {"--tolerance", "0"},
+                                               {"--tolerance", "nan"},
+                                               {"--evaluator", "stair"},
+                                               {"--view", "banana"},
+                                               {"--eye", "1,2"},
+                                               {"--target", "1,2,3"},
+                                               {"--eye", "1,2,3", "--target", "1,2,3"},
+                                               {"--eye", "1,2,3", "--up", "0,0,0"},
+                                               {"--eye", "1,2,3", "--view", "top"},
+                                               {"--fov", "0"},
+                                               {"--fov", "180"},
+                                               {"--shading", "banana"},
+                                               {"--frames", "0"},
+                                               {"--frames", "1.5"},
+                                               {"--deform", "banana"},
+                                               {"--device", "-1"},
+                                               {"--device", "banana"},
+                                               {"--friends"}}) {
+        std::vector<std::string> call = good;
+        call.insert(call.end(), more.begin(), more.end());
+        expectWrongCall(call);
+    }
+    expectWrongCall({"render", model});
+    expectWrongCall({"render", model, "-o", folder / "out/picture.jpg"});
+    EXPECT_TRUE(fs::is_empty(folder / "out"));
+}
+
+TEST_F(RenderCommand, WritesNothingWhereItFails)
+{
+    needDevice();
+    if (IsSkipped())
+        return;
+    expectFailure({"render", model, "-o", folder / "absent/picture.png", "--size", "32x32"},
+                  folder / "absent/picture.png");
+    expectFailure({"render", model, "-o", picture, "--size", "32x32", "--stats", folder / "absent/s.json"},
+                  folder / "absent/s.json");
+    expectFailure({"render", model, "-o", picture, "--size", "32x32", "--device", "99"}, "99");
+    EXPECT_TRUE(fs::is_empty(folder / "out"));
+}

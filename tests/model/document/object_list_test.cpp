@@ -1,0 +1,67 @@
+#include "model/document/object_list.h"
+
+#include <gtest/gtest.h>
+
+#include "model/samples/sample_list.h"
+
+namespace knotspan {
+namespace {
+
+TEST(ObjectList, FollowsTheScene)
+{
+    Document document;
+    const ObjectList list(document);
+    EXPECT_EQ(list.rowCount(), 0);
+    document.reset(findSample("nine-16")->make(), "nine");
+    EXPECT_EQ(list.rowCount(), 9);
+    const ObjectId last = document.scene().objects().rbegin()->first;
+    EXPECT_EQ(list.idAt(8), last);
+    EXPECT_EQ(list.rowOf(last), 8);
+    Edit edit;
+    edit.set(document.scene().objects().begin()->first, nullptr);
+    document.apply(edit, "delete");
+    EXPECT_EQ(list.rowCount(), 8);
+    EXPECT_EQ(list.rowOf(last), 7);
+    document.undo();
+    EXPECT_EQ(list.rowCount(), 9);
+}
+
+TEST(ObjectList, HidingAndRenamingAreStepsThatCanBeUndone)
+{
+    Document document;
+    document.reset(findSample("nine-16")->make(), "nine");
+    ObjectList list(document);
+    const QModelIndex row = list.index(2);
+    const QString name = list.data(row, Qt::DisplayRole).toString();
+    EXPECT_TRUE(list.setData(row, Qt::Unchecked, Qt::CheckStateRole));
+    EXPECT_FALSE(document.scene().find(list.idAt(2))->visible);
+    EXPECT_FALSE(list.setData(row, Qt::Unchecked, Qt::CheckStateRole));  // already hidden: no step
+    EXPECT_TRUE(list.setData(row, "keel", Qt::EditRole));
+    EXPECT_EQ(list.data(row, Qt::DisplayRole).toString(), "keel");
+    EXPECT_EQ(document.undoStack().count(), 2);
+    document.undo();
+    document.undo();
+    EXPECT_EQ(list.data(row, Qt::DisplayRole).toString(), name);
+    EXPECT_EQ(list.data(row, Qt::CheckStateRole).toInt(), static_cast<int>(Qt::Checked));
+}
+
+TEST(ObjectList, AChangedObjectChangesItsRowAlone)
+{
+    Document document;
+    document.reset(findSample("nine-16")->make(), "nine");
+    ObjectList list(document);
+    std::vector<int> rows;
+    int resets = 0;
+    QObject::connect(&list, &ObjectList::dataChanged, &list,
+                     [&](const QModelIndex& from, const QModelIndex& to) {
+                         rows.push_back(from.row());
+                         EXPECT_EQ(from, to);
+                     });
+    QObject::connect(&list, &ObjectList::modelReset, &list, [&] { ++resets; });
+    list.setData(list.index(4), Qt::Unchecked, Qt::CheckStateRole);
+    EXPECT_EQ(rows, std::vector<int>{4});
+    EXPECT_EQ(resets, 0);
+}
+
+}  // namespace
+}  // namespace knotspan

@@ -1,0 +1,116 @@
+#include "model/samples/sample_list.h"
+#include "tests/renderer/render_support.h"
+
+#include <numeric>
+
+namespace knotspan::testing {
+namespace {
+
+CullSet only(const char* name)
+{
+    return parseCullSet(name).value();
+}
+
+class Culling : public ::testing::TestWithParam<PathId> {};
+
+TEST_P(Culling, DropsNothingWhereNoModeIsOn)
+{
+    KNOTSPAN_NEED_RENDERER(renderer);
+    KNOTSPAN_NEED_PATH(*renderer, GetParam());
+    const Scene scene = findSample("torus")->make();
+    const FrameStats stats = drawn(*renderer, scene, frameOf(scene, GetParam())).stats;
+    EXPECT_EQ(stats.ksquads, scene.ksQuadCount());
+    EXPECT_EQ(stats.ksquadsDrawn, stats.ksquads);
+}
+
+TEST_P(Culling, DrawsOrDropsEveryKsQuadJustOnce)
+{
+    KNOTSPAN_NEED_RENDERER(renderer);
+    KNOTSPAN_NEED_PATH(*renderer, GetParam());
+    const Scene scene = findSample("torus")->make();
+    Frame frame = frameOf(scene, GetParam());
+    frame.culling = only("surface,lqc");
+    const FrameStats stats = drawn(*renderer, scene, frame).stats;
+    const auto culled =
+        std::accumulate(stats.ksquadsCulled.begin(), stats.ksquadsCulled.end(), std::uint64_t{0});
+    EXPECT_EQ(stats.ksquadsDrawn + culled, stats.ksquads);
+}
+
+// About half of a closed body faces away.
+TEST_P(Culling, ByLqcDropsAboutHalfOfASphere)
+{
+    KNOTSPAN_NEED_RENDERER(renderer);
+    KNOTSPAN_NEED_PATH(*renderer, GetParam());
+    const Scene scene = findSample("sphere")->make();
+    Frame frame = frameOf(scene, GetParam());
+    frame.culling = only("lqc");
+    const FrameStats stats = drawn(*renderer, scene, frame).stats;
+    EXPECT_GT(stats.ksquadsCulled[1], stats.ksquads / 4);
+    EXPECT_LT(stats.ksquadsCulled[1], stats.ksquads * 3 / 4);
+}
+
+// A single flat sheet seen from behind is dropped whole, seen from the front drawn whole.
+TEST_P(Culling, BySurfaceLooksAtTheWholeSurface)
+{
+    KNOTSPAN_NEED_RENDERER(renderer);
+    KNOTSPAN_NEED_PATH(*renderer, GetParam());
+    const Scene scene = findSample("single-100")->make();
+    Frame frame = frameOf(scene, GetParam(), 320, 240, "top");
+    frame.culling = only("surface");
+    const FrameStats front = drawn(*renderer, scene, frame).stats;
+    frame.camera = frameOf(scene, GetParam(), 320, 240, "bottom").camera;
+    const FrameStats behind = drawn(*renderer, scene, frame).stats;
+    EXPECT_EQ(front.ksquadsDrawn + behind.ksquadsDrawn, front.ksquads);
+    EXPECT_TRUE(front.ksquadsDrawn == 0 || behind.ksquadsDrawn == 0);
+}
+
+// The list keeps the order and the content over more than one group of the culling pass.
+TEST(CullingLists, AreTheSameOnBothPaths)
+{
+    KNOTSPAN_NEED_RENDERER(renderer);
+    KNOTSPAN_NEED_PATH(*renderer, PathId::mesh9x9);
+    KNOTSPAN_NEED_PATH(*renderer, PathId::tessellation);
+    const Scene scene = findSample("knot")->make();
+    for (const char* modes : {"none", "surface", "lqc", "surface,lqc"})
+        for (const char* view : {"iso", "front"}) {
+            Frame frame = frameOf(scene, PathId::mesh9x9, 64, 48, view);
+            frame.culling = only(modes);
+            const FrameStats mesh = drawn(*renderer, scene, frame).stats;
+            frame.path = PathId::tessellation;
+            frame.sampling = {SamplingRule::Kind::fixed, 1};
+            const FrameStats tessellation = drawn(*renderer, scene, frame).stats;
+            EXPECT_EQ(mesh.ksquadsCulled, tessellation.ksquadsCulled) << modes << ", " << view;
+            EXPECT_EQ(mesh.ksquadsDrawn, tessellation.ksquadsDrawn) << modes << ", " << view;
+            EXPECT_EQ(tessellation.triangles, 2 * tessellation.ksquadsDrawn);
+            EXPECT_EQ(mesh.triangles, 128 * mesh.ksquadsDrawn);
+            EXPECT_EQ(mesh.evaluations, 81 * mesh.ksquadsDrawn);
+        }
+}
+
+// A mirrored body shows the same side: what is outside stays outside.
+TEST_P(Culling, OfAMirroredBodyDropsWhatFacesAway)
+{
+    KNOTSPAN_NEED_RENDERER(renderer);
+    KNOTSPAN_NEED_PATH(*renderer, GetParam());
+    Scene scene = findSample("sphere")->make();
+    for (const auto& [id, object] : Scene(scene).objects()) {
+        SceneObject mirrored = *object;
+        mirrored.transform[0] = -mirrored.transform[0];
+        scene.exchange(id, std::make_shared<const SceneObject>(std::move(mirrored)));
+    }
+    Frame frame = frameOf(scene, GetParam());
+    const Picture whole = drawn(*renderer, scene, frame).picture;
+    frame.culling = only("lqc");
+    const Drawn culled = drawn(*renderer, scene, frame);
+    EXPECT_GT(culled.stats.ksquadsCulled[1], 0U);
+    // Light quad culling may lose some at the silhouette, not the half that faces the eye.
+    EXPECT_GT(shownPixels(culled.picture), shownPixels(whole) * 8 / 10);
+}
+
+INSTANTIATE_TEST_SUITE_P(Path, Culling, ::testing::Values(PathId::mesh9x9, PathId::tessellation),
+                         [](const auto& test) {
+                             return test.param == PathId::mesh9x9 ? "Mesh9x9" : "Tessellation";
+                         });
+
+}  // namespace
+}  // namespace knotspan::testing

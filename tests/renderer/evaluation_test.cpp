@@ -1,0 +1,131 @@
+// What the stages compute against the double reference: a unit is 2^-24 of the local size, the largest
+// coordinate of the KSQuad's control points relative to the surface's origin.
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "model/geometry/evaluation.h"
+#include "model/geometry/ksquad.h"
+#include "tests/random_surface.h"
+#include "tests/renderer/render_support.h"
+
+namespace knotspan::testing {
+namespace {
+
+constexpr double kUnit = 1.0 / 16777216.0;
+constexpr double kMostUnits = 16.0;
+
+double localSize(const NurbsSurface& surface, const Vec3& origin, int spanU, int spanV)
+{
+    double size = 0;
+    for (int i = spanU - surface.degreeU(); i <= spanU; ++i)
+        for (int j = spanV - surface.degreeV(); j <= spanV; ++j) {
+            const Vec3 offset = surface.controlPoint(i, j).position - origin;
+            size = std::max({size, std::abs(offset.x), std::abs(offset.y), std::abs(offset.z)});
+        }
+    return size;
+}
+
+struct Worst {
+    double units = 0;   // largest error of a position
+    double normal = 0;  // largest difference of a normal
+    size_t points = 0;
+};
+
+Worst worstOf(const Renderer& renderer, const Scene& scene, const std::vector<CapturedVertex>& vertices)
+{
+    Worst worst;
+    for (const CapturedVertex& vertex : vertices) {
+        const NurbsSurface& surface = scene.find(vertex.object)->surface;
+        const Vec3 origin = renderer.surfaceOrigin(vertex.object);
+        const auto along = [](const KnotVector& knots, int span, double t) {
+            return knots[span] + t * (knots[span + 1] - knots[span]);
+        };
+        const double u = along(surface.knotsU(), vertex.spanU, vertex.u);
+        const double v = along(surface.knotsV(), vertex.spanV, vertex.v);
+        const Vec3 error = evaluate(surface, u, v).position - origin - vertex.position;
+        const double size = localSize(surface, origin, vertex.spanU, vertex.spanV);
+        worst.units = std::max(worst.units, glm::length(error) / (kUnit * size));
+        worst.normal =
+            std::max(worst.normal, glm::length(evaluateNormal(surface, u, v).direction - vertex.normal));
+        ++worst.points;
+    }
+    return worst;
+}
+
+// One surface of every kind for a degree; the origin of `offset` must not be felt.
+std::vector<Scene> scenesOfDegree(int degree)
+{
+    std::mt19937 random(static_cast<unsigned>(degree));
+    std::vector<Scene> scenes;
+    for (const bool rational : {false, true})
+        for (const double offset : {0.0, 1e6}) {
+            const int other = 1 + (degree + 3) % 9;
+            scenes.push_back(sceneOf(randomSurface(random, {degree, degree, 3, rational, offset, 100.0})));
+            scenes.push_back(sceneOf(randomSurface(random, {degree, other, 2, rational, offset, 1e4})));
+        }
+    return scenes;
+}
+
+class Evaluation : public ::testing::TestWithParam<int> {};
+
+void expectAccurate(const Worst& worst, const char* stage, int degree)
+{
+    EXPECT_GT(worst.points, 100U);
+    EXPECT_LE(worst.units, kMostUnits) << stage << ", degree " << degree;
+    EXPECT_LE(worst.normal, 1e-3) << stage << ", degree " << degree;
+    ::testing::Test::RecordProperty(std::string(stage) + "_units", std::to_string(worst.units));
+}
+
+TEST_P(Evaluation, OfTheMeshStageIsWithinSixteenUnitsOfTheReference)
+{
+    KNOTSPAN_NEED_RENDERER(renderer);
+    KNOTSPAN_NEED_PATH(*renderer, PathId::mesh9x9);
+    for (const Scene& scene : scenesOfDegree(GetParam())) {
+        ASSERT_TRUE(renderer->sync(scene));
+        const auto vertices = renderer->captureVertices(frameOf(scene, PathId::mesh9x9, 64, 48));
+        ASSERT_TRUE(vertices) << vertices.error().sentence();
+        EXPECT_EQ(vertices->size(), scene.ksQuadCount() * 81);
+        expectAccurate(worstOf(*renderer, scene, *vertices), "mesh", GetParam());
+    }
+}
+
+TEST_P(Evaluation, OfTheEvaluationStageIsWithinSixteenUnitsOfTheReference)
+{
+    KNOTSPAN_NEED_RENDERER(renderer);
+    KNOTSPAN_NEED_PATH(*renderer, PathId::tessellation);
+    for (const Scene& scene : scenesOfDegree(GetParam())) {
+        ASSERT_TRUE(renderer->sync(scene));
+        Frame frame = frameOf(scene, PathId::tessellation, 64, 48);
+        frame.sampling = {SamplingRule::Kind::fixed, 5};
+        const auto vertices = renderer->captureVertices(frame);
+        ASSERT_TRUE(vertices) << vertices.error().sentence();
+        expectAccurate(worstOf(*renderer, scene, *vertices), "evaluation", GetParam());
+    }
+}
+
+TEST_P(Evaluation, OfTheComputeStageIsWithinSixteenUnitsOfTheReference)
+{
+    KNOTSPAN_NEED_RENDERER(renderer);
+    std::mt19937 random(7);
+    // Floats, so that the device and the reference see the same parameter.
+    std::uniform_real_distribution<float> unit(0.0F, 1.0F);
+    for (const Scene& scene : scenesOfDegree(GetParam())) {
+        ASSERT_TRUE(renderer->sync(scene));
+        const auto& [id, object] = *scene.objects().begin();
+        std::vector<EvaluationPoint> points;
+        for (const KsQuad& ksquad : ksQuads(object->surface))
+            for (int k = 0; k < 40; ++k)
+                points.push_back({id, ksquad.spanU, ksquad.spanV, unit(random), unit(random)});
+        const auto vertices = renderer->evaluate(points);
+        ASSERT_TRUE(vertices) << vertices.error().sentence();
+        ASSERT_EQ(vertices->size(), points.size());
+        expectAccurate(worstOf(*renderer, scene, *vertices), "compute", GetParam());
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Degree, Evaluation, ::testing::Range(1, 10));
+
+}  // namespace
+}  // namespace knotspan::testing

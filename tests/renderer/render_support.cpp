@@ -1,0 +1,107 @@
+#include "tests/renderer/render_support.h"
+
+#include <cstdlib>
+
+namespace knotspan::testing {
+
+Renderer* sharedRenderer()
+{
+    static const std::unique_ptr<Renderer> renderer = [] {
+        auto made = Renderer::create({.device = {}, .validation = true});
+        if (!made)
+            made = Renderer::create();
+        return made ? std::move(*made) : nullptr;
+    }();
+    return renderer.get();
+}
+
+Frame frameOf(const Scene& scene, PathId path, int width, int height, std::string_view view)
+{
+    Frame frame;
+    frame.width = width;
+    frame.height = height;
+    frame.path = path;
+    frame.camera = namedView(view, scene.bounds(), static_cast<double>(width) / height, false).value();
+    return frame;
+}
+
+Drawn drawn(Renderer& renderer, const Scene& scene, const Frame& frame)
+{
+    if (const auto synced = renderer.sync(scene); !synced) {
+        ADD_FAILURE() << synced.error().sentence();
+        return {};
+    }
+    const auto stats = renderer.draw(frame);
+    if (!stats) {
+        ADD_FAILURE() << stats.error().sentence();
+        return {};
+    }
+    auto picture = renderer.capture();
+    if (!picture) {
+        ADD_FAILURE() << picture.error().sentence();
+        return {};
+    }
+    return {std::move(*picture), *stats};
+}
+
+bool isBackground(const Picture& picture, int x, int y)
+{
+    const size_t at =
+        4 * (static_cast<size_t>(y) * static_cast<size_t>(picture.width) + static_cast<size_t>(x));
+    return picture.rgba[at] == kBackground[0] && picture.rgba[at + 1] == kBackground[1] &&
+           picture.rgba[at + 2] == kBackground[2];
+}
+
+size_t shownPixels(const Picture& picture)
+{
+    size_t count = 0;
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x)
+            count += isBackground(picture, x, y) ? 0 : 1;
+    return count;
+}
+
+namespace {
+
+// Whether anything within a pixel of (x, y) is shown (or, for background, is not).
+bool nearby(const Picture& picture, int x, int y, bool background)
+{
+    for (int dy = -1; dy <= 1; ++dy)
+        for (int dx = -1; dx <= 1; ++dx) {
+            const int nx = x + dx;
+            const int ny = y + dy;
+            if (nx >= 0 && ny >= 0 && nx < picture.width && ny < picture.height &&
+                isBackground(picture, nx, ny) == background)
+                return true;
+        }
+    return false;
+}
+
+}  // namespace
+
+Difference compare(const Picture& a, const Picture& b)
+{
+    Difference difference;
+    EXPECT_EQ(a.width, b.width);
+    EXPECT_EQ(a.height, b.height);
+    double sum = 0;
+    size_t both = 0;
+    for (int y = 0; y < a.height; ++y)
+        for (int x = 0; x < a.width; ++x) {
+            const bool backgroundA = isBackground(a, x, y);
+            const bool backgroundB = isBackground(b, x, y);
+            if (!nearby(b, x, y, backgroundA) || !nearby(a, x, y, backgroundB))
+                ++difference.silhouetteOff;
+            if (backgroundA || backgroundB)
+                continue;
+            ++both;
+            const size_t at =
+                4 * (static_cast<size_t>(y) * static_cast<size_t>(a.width) + static_cast<size_t>(x));
+            for (size_t channel = 0; channel < 3; ++channel)
+                sum += std::abs(int(a.rgba[at + channel]) - int(b.rgba[at + channel])) / 3.0;
+        }
+    difference.meanShaded = both > 0 ? sum / static_cast<double>(both) : 0.0;
+    return difference;
+}
+
+}  // namespace knotspan::testing

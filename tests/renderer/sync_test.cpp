@@ -1,0 +1,100 @@
+#include "model/samples/sample_list.h"
+#include "model/scene/control_point_editing.h"
+#include "tests/renderer/render_support.h"
+
+namespace knotspan::testing {
+namespace {
+
+class Sync : public ::testing::Test {
+protected:
+    void SetUp() override
+    {
+        renderer = sharedRenderer();
+        if (renderer == nullptr)
+            GTEST_SKIP() << "no Vulkan device here";
+    }
+
+    Renderer* renderer = nullptr;
+    Scene scene = findSample("nine-16")->make();
+    Frame frame = frameOf(scene, renderer != nullptr ? renderer->bestPath() : PathId::tessellation);
+
+    void SetUpScene() { (void)drawn(*renderer, scene, frame); }
+    [[nodiscard]] std::uint64_t bytesOfNextFrame()
+    {
+        return drawn(*renderer, scene, frame).stats.uploadBytesPerFrame;
+    }
+    void moveControlPoint(ObjectId id, ControlPointIndex index, const Vec3& by)
+    {
+        const SharedObject before = scene.find(id);
+        scene.exchange(id,
+                       withControlPointAt(*before, index, controlPointInModel(*before, index) + by).value());
+    }
+};
+
+TEST_F(Sync, SendsNothingForAnUnchangedSceneAndCamera)
+{
+    SetUpScene();
+    EXPECT_EQ(bytesOfNextFrame(), 0U);
+}
+
+TEST_F(Sync, SendsOneControlPointForOneMovedControlPoint)
+{
+    SetUpScene();
+    moveControlPoint(scene.objects().begin()->first, {1, 1}, {0, 0, 0.1});
+    EXPECT_EQ(bytesOfNextFrame(), 16U);
+}
+
+TEST_F(Sync, SendsTheRecordOfASurfaceWhoseCornerMoved)
+{
+    SetUpScene();
+    moveControlPoint(scene.objects().begin()->first, {0, 0}, {0, 0, 0.1});
+    EXPECT_EQ(bytesOfNextFrame(), 16U + 76U);
+}
+
+TEST_F(Sync, DrawsAnEditedSceneAsIfItHadBeenLoadedSo)
+{
+    SetUpScene();
+    moveControlPoint(scene.objects().begin()->first, {1, 2}, {0.1, 0, 0.4});
+    const Picture edited = drawn(*renderer, scene, frame).picture;
+    ASSERT_TRUE(renderer->sync(Scene()));
+    EXPECT_EQ(edited.rgba, drawn(*renderer, scene, frame).picture.rgba);
+}
+
+// Far from where it was packed, floats relative to the old origin would be coarse.
+TEST_F(Sync, PacksAnObjectAnewThatMovedFarAway)
+{
+    scene = Scene();
+    scene.add(*findSample("single-100")->make().objects().begin()->second);
+    const ObjectId id = scene.objects().begin()->first;
+    SetUpScene();
+    SceneObject far = *scene.find(id);
+    std::vector<ControlPoint> points = far.surface.controlPoints();
+    for (ControlPoint& point : points)
+        point.position += Vec3(1e7, 0, 0);
+    far.surface = NurbsSurface::create(far.surface.knotsU(), far.surface.knotsV(), points).value();
+    scene.exchange(id, std::make_shared<const SceneObject>(far));
+    frame.camera.eye += Vec3(1e7, 0, 0);
+    frame.camera.target += Vec3(1e7, 0, 0);
+    const Picture moved = drawn(*renderer, scene, frame).picture;
+    EXPECT_NEAR(renderer->surfaceOrigin(id).x, 1e7, 10.0);
+    ASSERT_TRUE(renderer->sync(Scene()));
+    EXPECT_EQ(moved.rgba, drawn(*renderer, scene, frame).picture.rgba);
+}
+
+TEST_F(Sync, LeavesHiddenObjectsOut)
+{
+    SceneObject hidden = *scene.objects().begin()->second;
+    hidden.visible = false;
+    scene.exchange(scene.objects().begin()->first, std::make_shared<const SceneObject>(hidden));
+    EXPECT_EQ(drawn(*renderer, scene, frame).stats.surfaces, scene.objects().size() - 1);
+}
+
+TEST_F(Sync, DrawsAnEmptySceneAsBackground)
+{
+    const Drawn nothing = drawn(*renderer, Scene(), frame);
+    EXPECT_EQ(shownPixels(nothing.picture), 0U);
+    EXPECT_EQ(nothing.stats.triangles, 0U);
+}
+
+}  // namespace
+}  // namespace knotspan::testing

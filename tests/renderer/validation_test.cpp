@@ -1,0 +1,39 @@
+// The validation layer, with synchronization validation, has nothing to say of a frame on any path.
+#include "model/samples/sample_list.h"
+#include "tests/renderer/render_support.h"
+
+namespace knotspan::testing {
+namespace {
+
+TEST(ValidationLayer, HasNoMessageInARenderOfAnyPath)
+{
+    const auto made = Renderer::create({.device = {}, .validation = true});
+    if (!made)
+        GTEST_SKIP() << made.error().sentence();
+    Renderer& renderer = **made;
+    const Scene scene = findSample("hull")->make();
+    for (const PathInfo& path : paths()) {
+        if (!renderer.whyUnavailable(path.id).empty())
+            continue;
+        Frame frame = frameOf(scene, path.id);
+        frame.overlays.controlNets = true;
+        frame.overlays.knotLines = true;
+        frame.overlays.marks = {{scene.objects().begin()->first, {0, 0}, true}};
+        frame.culling = parseCullSet("surface,lqc").value();
+        for (const auto& [width, height] : {std::pair(160, 120), std::pair(200, 100)}) {
+            frame.width = width;
+            frame.height = height;
+            EXPECT_GT(shownPixels(drawn(renderer, scene, frame).picture), 100U) << path.name;
+        }
+        EXPECT_TRUE(renderer.pick(80, 60));
+        EXPECT_TRUE(renderer.captureVertices(frame));
+    }
+    const ObjectId id = scene.objects().begin()->first;
+    const NurbsSurface& surface = scene.find(id)->surface;
+    EXPECT_TRUE(
+        renderer.evaluate({{id, surface.knotsU().spans()[0], surface.knotsV().spans()[0], 0.5, 0.5}}));
+    EXPECT_EQ(renderer.validationMessages(), std::vector<std::string>());
+}
+
+}  // namespace
+}  // namespace knotspan::testing

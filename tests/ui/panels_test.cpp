@@ -1,0 +1,116 @@
+#include <gtest/gtest.h>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QListView>
+#include <QSlider>
+#include <QStandardItemModel>
+#include <QToolButton>
+
+#include "tests/ui/window_harness.h"
+#include "ui/panels/rendering_panel.h"
+#include "ui/panels/stats_panel.h"
+
+namespace knotspan {
+namespace {
+
+using namespace knotspan::testing;
+
+QToolButton* buttonNamed(const QWidget& parent, const QString& text)
+{
+    for (auto* button : parent.findChildren<QToolButton*>())
+        if (button->text() == text)
+            return button;
+    return nullptr;
+}
+
+TEST(RenderingPanel, ShowsEveryPathCullingModeAndShading)
+{
+    Document document;
+    Selection selection;
+    Viewport viewport(document, selection);
+    const RenderingPanel panel(viewport);
+    EXPECT_EQ(panel.findChild<QComboBox*>("path")->count(), static_cast<int>(paths().size()));
+    EXPECT_EQ(panel.findChild<QComboBox*>("shading")->count(), static_cast<int>(shadings().size()));
+    EXPECT_EQ(panel.findChildren<QCheckBox*>().size(), kCullModeCount);
+    for (const CullMode& mode : cullModes()) {
+        const auto* check = panel.findChild<QCheckBox*>("culling-" + QString::fromStdString(mode.name));
+        ASSERT_NE(check, nullptr) << mode.name;
+        EXPECT_EQ(check->toolTip().toStdString(), mode.description);
+    }
+}
+
+TEST(RenderingPanel, APathThatTheDeviceCannotRunIsGreyedWithTheReason)
+{
+    Document document;
+    Selection selection;
+    Viewport viewport(document, selection);
+    const RenderingPanel panel(viewport);
+    const auto* items = qobject_cast<QStandardItemModel*>(panel.findChild<QComboBox*>("path")->model());
+    int row = 0;
+    for (const PathInfo& info : paths()) {
+        const Renderer* renderer = viewport.renderer();
+        const std::string why = renderer != nullptr ? renderer->whyUnavailable(info.id) : "";
+        EXPECT_EQ(items->item(row)->isEnabled(), renderer != nullptr && why.empty()) << info.name;
+        EXPECT_EQ(items->item(row)->toolTip().toStdString(), why.empty() ? info.description : why);
+        ++row;
+    }
+}
+
+TEST(RenderingPanel, SliderBoxAndPresetsShowOneTolerance)
+{
+    Document document;
+    Selection selection;
+    Viewport viewport(document, selection);
+    const RenderingPanel panel(viewport);
+    auto* slider = panel.findChild<QSlider*>("tolerance-slider");
+    auto* box = panel.findChild<QDoubleSpinBox*>("tolerance");
+    EXPECT_DOUBLE_EQ(box->value(), viewport.frame().tolerancePx);
+    slider->setValue(slider->minimum());
+    EXPECT_DOUBLE_EQ(viewport.frame().tolerancePx, 4);
+    EXPECT_DOUBLE_EQ(box->value(), 4);
+    EXPECT_TRUE(buttonNamed(panel, "Draft")->isChecked());
+    buttonNamed(panel, "Exact")->click();
+    EXPECT_DOUBLE_EQ(viewport.frame().tolerancePx, 0.25);
+    EXPECT_EQ(slider->value(), slider->maximum());
+    EXPECT_FALSE(buttonNamed(panel, "Draft")->isChecked());
+    box->setValue(1);
+    EXPECT_DOUBLE_EQ(viewport.frame().tolerancePx, 1);
+    EXPECT_TRUE(buttonNamed(panel, "Balanced")->isChecked());
+    EXPECT_EQ(slider->value(), (slider->minimum() + slider->maximum()) / 2);
+}
+
+TEST(StatsPanel, HasARowForEveryField)
+{
+    StatsPanel panel;
+    FrameStats stats;
+    stats.device = "a device";
+    stats.triangles = 12345;
+    panel.setStats(stats);
+    ASSERT_EQ(panel.topLevelItemCount(), static_cast<int>(statFields().size()));
+    for (const StatField& field : statFields())
+        EXPECT_EQ(panel.shown(field.name).toStdString(), display(field, stats)) << field.name;
+    EXPECT_EQ(panel.shown("device"), "a device");
+}
+
+TEST(ObjectsPanel, HidingAnObjectTakesItOutOfThePicture)
+{
+    Answers answers;
+    const auto window = shownWindow(answers, "single-100");
+    KNOTSPAN_NEED_RENDERER(*window);
+    const QImage shown = picture(*window);
+    auto* list = window->findChild<QListView*>("objects");
+    list->setCurrentIndex(list->model()->index(0, 0));
+    EXPECT_EQ(window->selection().objects().size(), 1U);
+    ASSERT_TRUE(list->model()->setData(list->model()->index(0, 0), Qt::Unchecked, Qt::CheckStateRole));
+    settle(*window);
+    const QImage hidden = picture(*window);
+    EXPECT_GT(differingPixels(shown, hidden), shown.width() * shown.height() / 50);
+    window->document().reset(Scene(), "empty");
+    settle(*window);
+    EXPECT_EQ(differingPixels(picture(*window), hidden), 0);
+}
+
+}  // namespace
+}  // namespace knotspan

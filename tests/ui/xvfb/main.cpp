@@ -1,0 +1,64 @@
+// Starts an X server that draws into memory, so that the window has real surfaces, and runs the tests in it.
+#include <csignal>
+
+#include <sys/prctl.h>
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QProcess>
+#include <QSettings>
+#include <QStandardPaths>
+
+#include "tests/support.h"
+
+namespace {
+
+// The name of the display; empty where there is no server.
+QByteArray startServer(QProcess& server)
+{
+    const QString program = QStandardPaths::findExecutable("Xvfb");
+    if (program.isEmpty())
+        return {};
+    // It chooses a free display itself and prints its number.
+    server.setChildProcessModifier([] { ::prctl(PR_SET_PDEATHSIG, SIGKILL); });  // goes when the test crashes
+    server.start(program, {"-displayfd", "1", "-screen", "0", "1024x768x24", "-nolisten", "tcp"});
+    QByteArray number;
+    while (!number.contains('\n')) {
+        if (!server.waitForReadyRead(20'000))
+            return {};
+        number += server.readAllStandardOutput();
+    }
+    return ":" + number.trimmed();
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    ::testing::InitGoogleTest(&argc, argv);
+    const knotspan::testing::TemporaryFolder folder;
+    const std::string path = folder.path().string();
+    std::filesystem::permissions(folder.path(), std::filesystem::perms::owner_all);  // as Qt wants its own
+    QProcess server;
+    const QByteArray display = startServer(server);
+    if (display.isEmpty()) {
+        std::puts("skipped: no Xvfb here; install xvfb to test the window on a display");
+        return EXIT_SUCCESS;
+    }
+    qputenv("DISPLAY", display);
+    qputenv("QT_QPA_PLATFORM", "xcb");
+    qputenv("XDG_RUNTIME_DIR", path.c_str());
+    qputenv("XDG_CONFIG_HOME", path.c_str());
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, QString::fromStdString(path));
+    int result = EXIT_FAILURE;
+    {
+        QApplication application(argc, argv);
+        QApplication::setOrganizationName("Knotspan");
+        QApplication::setApplicationName("Knotspan tests");
+        result = RUN_ALL_TESTS();
+    }
+    server.kill();
+    server.waitForFinished();
+    return result;
+}

@@ -1,0 +1,50 @@
+#include "ui/panels/objects_panel.h"
+
+#include <QItemSelectionModel>
+#include <QScopedValueRollback>
+
+namespace knotspan {
+
+ObjectsPanel::ObjectsPanel(Document& document, Selection& selection, QWidget* parent)
+    : QListView(parent),
+      selection_(selection),
+      list_(new ObjectList(document, this))
+{
+    setObjectName("objects");
+    setAccessibleName(tr("Objects of the model"));
+    setStatusTip(tr("Click to select, tick to show, double-click to rename"));
+    setModel(list_);
+    setSelectionMode(QAbstractItemView::ExtendedSelection);
+    setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+    setUniformItemSizes(true);
+    setFrameShape(QFrame::NoFrame);
+    connect(selectionModel(), &QItemSelectionModel::selectionChanged, this, &ObjectsPanel::choose);
+    connect(&selection_, &Selection::changed, this, &ObjectsPanel::showChosen);
+    connect(list_, &QAbstractItemModel::modelReset, this, &ObjectsPanel::showChosen);
+}
+
+void ObjectsPanel::choose()
+{
+    if (following_)
+        return;
+    std::set<ObjectId> chosen;
+    for (const QModelIndex& index : selectionModel()->selectedIndexes())
+        chosen.insert(list_->idAt(index.row()));
+    selection_.setObjects(std::move(chosen));
+}
+
+void ObjectsPanel::showChosen()
+{
+    const QScopedValueRollback<bool> guard(following_, true);
+    QItemSelection rows;
+    for (const ObjectId id : selection_.objects()) {
+        const int row = list_->rowOf(id);
+        if (row >= 0)
+            rows.select(list_->index(row), list_->index(row));
+    }
+    selectionModel()->select(rows, QItemSelectionModel::ClearAndSelect);
+    if (rows.size() == 1 && !hasFocus())
+        scrollTo(rows.first().topLeft());
+}
+
+}  // namespace knotspan

@@ -1,0 +1,49 @@
+// How the model is drawn: path, culling, shading and tolerance, filled from the renderer's lists.
+#pragma once
+
+#include <vector>
+
+#include <QWidget>
+
+#include "ui/viewport/viewport.h"
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QSlider;
+class QToolButton;
+
+namespace knotspan {
+
+class RenderingPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit RenderingPanel(Viewport& viewport, QWidget* parent = nullptr);
+
+private:
+    QWidget* makePathPicker();
+    QWidget* makeShadingPicker();
+    QWidget* makeCulling();
+    QWidget* makeTolerance();
+    void fillPaths();
+    void showFrame();
+
+    template <class Change>
+    void change(Change&& change)
+    {
+        Frame frame = viewport_.frame();
+        change(frame);
+        viewport_.setFrame(frame);
+    }
+
+    Viewport& viewport_;
+    QComboBox* path_ = nullptr;
+    QComboBox* shading_ = nullptr;
+    std::vector<QCheckBox*> culling_;
+    QSlider* slider_ = nullptr;
+    QDoubleSpinBox* tolerance_ = nullptr;
+    std::vector<QToolButton*> presets_;
+};
+
+}  // namespace knotspan

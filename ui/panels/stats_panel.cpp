@@ -1,0 +1,53 @@
+#include "ui/panels/stats_panel.h"
+
+#include <QHeaderView>
+
+namespace knotspan {
+
+StatsPanel::StatsPanel(QWidget* parent) : QTreeWidget(parent)
+{
+    setObjectName("stats");
+    setAccessibleName(tr("Statistics of the last frame"));
+    setColumnCount(2);
+    setHeaderHidden(true);
+    setRootIsDecorated(false);
+    setAlternatingRowColors(true);
+    setUniformRowHeights(true);
+    setSelectionMode(QAbstractItemView::NoSelection);
+    setFocusPolicy(Qt::TabFocus);
+    setFrameShape(QFrame::NoFrame);
+    setStyleSheet("QTreeView::item { padding: 2px 6px; }");
+    setStatusTip(tr("What the last frame cost and did"));
+    for (const StatField& field : statFields()) {
+        auto* row = new QTreeWidgetItem(this, {QString::fromStdString(field.label), QString()});
+        row->setToolTip(0, tr("\"%1\" in the output of --stats").arg(QString::fromStdString(field.name)));
+    }
+    header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+    header()->setStretchLastSection(true);
+}
+
+void StatsPanel::setStats(const FrameStats& stats)
+{
+    int row = 0;
+    for (const StatField& field : statFields()) {
+        QTreeWidgetItem* item = topLevelItem(row++);
+        const QString value = QString::fromStdString(display(field, stats));
+        if (item->text(1) == value)
+            continue;
+        item->setText(1, value);
+        item->setToolTip(1, value);
+    }
+}
+
+QString StatsPanel::shown(std::string_view fieldName) const
+{
+    int row = 0;
+    for (const StatField& field : statFields()) {
+        if (field.name == fieldName)
+            return topLevelItem(row)->text(1);
+        ++row;
+    }
+    return {};
+}
+
+}  // namespace knotspan

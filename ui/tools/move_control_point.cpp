@@ -1,0 +1,78 @@
+#include "ui/tools/move_control_point.h"
+
+#include <glm/geometric.hpp>
+
+#include "model/scene/control_point_editing.h"
+
+namespace knotspan {
+
+namespace {
+
+// A hand that only clicks trembles less than this.
+constexpr double kStillPx = 3;
+
+}  // namespace
+
+void MoveControlPoint::hover(const ToolContext& context, const ToolPointer& pointer)
+{
+    context.selection.setHovered(context.pick(pointer.position).controlPoint);
+}
+
+ToolAnswer MoveControlPoint::press(const ToolContext& context, const ToolPointer& pointer)
+{
+    const std::optional<PickedControlPoint> point = context.pick(pointer.position).controlPoint;
+    const SharedObject object = point ? context.document.scene().find(point->object) : nullptr;
+    if (!object)
+        return ToolAnswer::pass;
+    context.selection.setControlPoint(point);
+    drag_ = Drag{*point, pointer.position, controlPointInModel(*object, point->index)};
+    return ToolAnswer::keep;
+}
+
+ToolAnswer MoveControlPoint::move(const ToolContext& context, const ToolPointer& pointer)
+{
+    const SharedObject object = context.document.scene().find(drag_->point.object);
+    if (!object)
+        return ToolAnswer::revert;
+    const Vec2 way = pointer.position - drag_->pressed;
+    if (!drag_->moved && glm::length(way) < kStillPx * context.pixelRatio)
+        return ToolAnswer::keep;
+    drag_->moved = true;
+    const Camera& camera = context.camera;
+    const double unit = camera.unitsPerPixel(drag_->start, context.height);
+    const Vec3 position = drag_->start + (camera.right() * way.x - camera.upward() * way.y) * unit;
+    Result<SharedObject> changed = withControlPointAt(*object, drag_->point.index, position);
+    if (!changed)
+        return ToolAnswer::keep;  // too far out for a number: stays where it was
+    Edit edit;
+    edit.set(drag_->point.object, std::move(*changed));
+    context.document.apply(edit, QObject::tr("Move control point"), context.gesture);
+    return ToolAnswer::keep;
+}
+
+ToolAnswer MoveControlPoint::release(const ToolContext&, const ToolPointer&)
+{
+    drag_.reset();
+    return ToolAnswer::commit;
+}
+
+void MoveControlPoint::click(const ToolContext& context, const ToolPointer& pointer)
+{
+    const std::optional<ObjectId> object = context.pick(pointer.position).object;
+    std::set<ObjectId> chosen = context.selection.objects();
+    const bool adds = pointer.modifiers.testFlag(Qt::ShiftModifier);
+    const bool toggles = pointer.modifiers.testFlag(Qt::ControlModifier);
+    if (!adds && !toggles)
+        chosen.clear();
+    if (object && !(toggles && chosen.erase(*object) != 0))
+        chosen.insert(*object);
+    context.selection.setControlPoint({});
+    context.selection.setObjects(std::move(chosen));
+}
+
+void MoveControlPoint::cancel()
+{
+    drag_.reset();
+}
+
+}  // namespace knotspan

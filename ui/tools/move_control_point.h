@@ -1,0 +1,28 @@
+// Selects objects by clicking, and moves a control point with the hand: in the plane that faces the eye,
+// through the point itself, so that it stays under the cursor.
+#pragma once
+
+#include "ui/tools/tool.h"
+
+namespace knotspan {
+
+class MoveControlPoint : public Tool {
+public:
+    void hover(const ToolContext& context, const ToolPointer& pointer) override;
+    ToolAnswer press(const ToolContext& context, const ToolPointer& pointer) override;
+    ToolAnswer move(const ToolContext& context, const ToolPointer& pointer) override;
+    ToolAnswer release(const ToolContext& context, const ToolPointer& pointer) override;
+    void click(const ToolContext& context, const ToolPointer& pointer) override;
+    void cancel() override;
+
+private:
+    struct Drag {
+        PickedControlPoint point;
+        Vec2 pressed;  // where the hand took hold
+        Vec3 start;    // where the control point was
+        bool moved = false;
+    };
+    std::optional<Drag> drag_;
+};
+
+}  // namespace knotspan

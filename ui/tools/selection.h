@@ -1,0 +1,43 @@
+// What the user has chosen: objects, one of their control points, and the control point under the cursor.
+// Viewport, panels and tools share one.
+#pragma once
+
+#include <optional>
+#include <set>
+
+#include <QObject>
+
+#include "renderer/renderer.h"
+
+namespace knotspan {
+
+class Selection : public QObject {
+    Q_OBJECT
+
+public:
+    using QObject::QObject;
+
+    [[nodiscard]] const std::set<ObjectId>& objects() const { return objects_; }
+    [[nodiscard]] bool contains(ObjectId id) const { return objects_.count(id) != 0; }
+    [[nodiscard]] const std::optional<PickedControlPoint>& controlPoint() const { return controlPoint_; }
+    [[nodiscard]] const std::optional<PickedControlPoint>& hovered() const { return hovered_; }
+
+    void setObjects(std::set<ObjectId> objects);
+    // Its object becomes selected too.
+    void setControlPoint(const std::optional<PickedControlPoint>& point);
+    void setHovered(const std::optional<PickedControlPoint>& point);
+    void clear();
+
+    // Lets go of what the scene no longer has.
+    void keepOnly(const Scene& scene);
+
+Q_SIGNALS:
+    void changed();  // any of the three
+
+private:
+    std::set<ObjectId> objects_;
+    std::optional<PickedControlPoint> controlPoint_;
+    std::optional<PickedControlPoint> hovered_;
+};
+
+}  // namespace knotspan

@@ -1,0 +1,56 @@
+// What a tool is: it hears of the pointer and answers what the viewport is to do next. The viewport owns the
+// history, so a tool can neither forget to finish a step nor leave half of one.
+#pragma once
+
+#include <functional>
+
+#include <Qt>
+
+#include "model/document/document.h"
+#include "ui/tools/selection.h"
+
+namespace knotspan {
+
+enum class ToolAnswer {
+    pass,    // not mine: the viewport may turn the view with it
+    keep,    // mine, go on telling me
+    commit,  // the gesture is done: what was applied becomes one step
+    revert,  // the gesture is off: what was applied is taken back
+};
+
+struct ToolPointer {
+    Vec2 position;  // pixels of the picture, from its upper left corner
+    Qt::KeyboardModifiers modifiers;
+};
+
+struct ToolContext {
+    Document& document;
+    Selection& selection;
+    const Camera& camera;
+    int width = 0;  // of the picture, in pixels
+    int height = 0;
+    double pixelRatio = 1;  // pixels of the picture in one of the hand's
+    int gesture = 0;        // for Document::apply()
+    std::function<Pick(const Vec2&)> pick;
+};
+
+class Tool {
+public:
+    Tool() = default;
+    virtual ~Tool() = default;
+    Tool(const Tool&) = delete;
+    Tool& operator=(const Tool&) = delete;
+
+    // The pointer moves with no button down.
+    virtual void hover(const ToolContext& context, const ToolPointer& pointer) = 0;
+    // The left button goes down. Only after `keep` do the moves and the release come here.
+    virtual ToolAnswer press(const ToolContext& context, const ToolPointer& pointer) = 0;
+    virtual ToolAnswer move(const ToolContext& context, const ToolPointer& pointer) = 0;
+    virtual ToolAnswer release(const ToolContext& context, const ToolPointer& pointer) = 0;
+    // Press and release at one place, after press() answered `pass`.
+    virtual void click(const ToolContext& context, const ToolPointer& pointer) = 0;
+    // The gesture is off; the viewport takes back what was applied.
+    virtual void cancel() = 0;
+};
+
+}  // namespace knotspan

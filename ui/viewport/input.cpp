@@ -1,0 +1,199 @@
+#include "ui/viewport/input.h"
+
+#include <glm/geometric.hpp>
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QWheelEvent>
+
+#include "ui/tools/tool_list.h"
+#include "ui/viewport/viewport.h"
+
+namespace knotspan {
+
+namespace {
+
+constexpr double kStillPx = 4;  // a press that moves less is a click
+constexpr double kPickRadiusPx = 8;
+constexpr double kZoomDragPx = 30;       // one notch of the wheel
+constexpr double kWheelNotch = 120;      // Qt's unit: eighths of a degree
+constexpr double kTouchpadNotchPx = 60;  // for devices that scroll by pixels
+
+}  // namespace
+
+Input::Input(Viewport& viewport) : viewport_(viewport), tool_(tools().front().make()) {}
+
+Input::~Input() = default;
+
+bool Input::handle(QEvent& event)
+{
+    switch (event.type()) {
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonDblClick:
+        return press(static_cast<QMouseEvent&>(event));
+    case QEvent::MouseMove:
+        return move(static_cast<QMouseEvent&>(event));
+    case QEvent::MouseButtonRelease:
+        return release(static_cast<QMouseEvent&>(event));
+    case QEvent::Wheel:
+        return wheel(static_cast<QWheelEvent&>(event));
+    case QEvent::Leave:
+        resting_.reset();
+        viewport_.selection_.setHovered({});
+        return false;
+    case QEvent::KeyPress:
+        return static_cast<QKeyEvent&>(event).key() == Qt::Key_Escape && cancel();
+    default:
+        return false;
+    }
+}
+
+ToolPointer Input::pointer(const QMouseEvent& event) const
+{
+    const double ratio = viewport_.presenter_->pixelRatio();
+    return {Vec2(event.position().x(), event.position().y()) * ratio, event.modifiers()};
+}
+
+ToolContext Input::context() const
+{
+    const PictureSize size = viewport_.pictureSize();
+    const double ratio = viewport_.presenter_->pixelRatio();
+    return {viewport_.document_,
+            viewport_.selection_,
+            viewport_.frame_.camera,
+            size.width,
+            size.height,
+            ratio,
+            gesture_,
+            [this, ratio](const Vec2& position) { return viewport_.pick(position, kPickRadiusPx * ratio); }};
+}
+
+bool Input::press(const QMouseEvent& event)
+{
+    if (drag_ != Drag::none)
+        return true;  // a second button during a drag
+    const ToolPointer at = pointer(event);
+    const Qt::KeyboardModifiers keys = event.modifiers();
+    button_ = event.button();
+    pressed_ = last_ = at.position;
+    resting_.reset();
+    if (button_ == Qt::MiddleButton) {
+        drag_ = keys.testFlag(Qt::ShiftModifier)     ? Drag::pan
+                : keys.testFlag(Qt::ControlModifier) ? Drag::zoom
+                                                     : Drag::orbit;
+    } else if (button_ == Qt::RightButton) {
+        drag_ = Drag::pan;
+    } else if (button_ == Qt::LeftButton && keys.testFlag(Qt::AltModifier)) {
+        drag_ = Drag::orbit;
+    } else if (button_ == Qt::LeftButton) {
+        gesture_ = viewport_.document_.newGesture();
+        drag_ = Drag::tool;
+        follow(tool_->press(context(), at));
+    }
+    showCursor();
+    return drag_ != Drag::none;
+}
+
+bool Input::move(const QMouseEvent& event)
+{
+    const ToolPointer at = pointer(event);
+    if (drag_ == Drag::none) {
+        resting_ = at;
+        if (!viewport_.isDrawPending())
+            hover();
+        return true;
+    }
+    const double still = kStillPx * viewport_.presenter_->pixelRatio();
+    if (drag_ == Drag::undecided && glm::length(at.position - pressed_) >= still) {
+        drag_ = Drag::orbit;
+        showCursor();
+    }
+    if (drag_ == Drag::tool)
+        follow(tool_->move(context(), at));
+    else if (drag_ != Drag::undecided) {
+        navigate(at.position - last_);
+        last_ = at.position;
+    }
+    return true;
+}
+
+bool Input::release(const QMouseEvent& event)
+{
+    if (drag_ == Drag::none || event.button() != button_)
+        return drag_ != Drag::none;
+    const Drag ended = drag_;
+    if (ended == Drag::tool)
+        follow(tool_->release(context(), pointer(event)));
+    drag_ = Drag::none;
+    if (ended == Drag::undecided)
+        tool_->click(context(), pointer(event));
+    showCursor();
+    return true;
+}
+
+void Input::follow(ToolAnswer answer)
+{
+    switch (answer) {
+    case ToolAnswer::keep:
+        return;
+    case ToolAnswer::pass:
+        drag_ = Drag::undecided;
+        return;
+    case ToolAnswer::commit:
+        viewport_.document_.finishGesture(gesture_);
+        break;
+    case ToolAnswer::revert:
+        tool_->cancel();
+        viewport_.document_.cancelGesture(gesture_);
+        break;
+    }
+    drag_ = Drag::none;
+}
+
+bool Input::cancel()
+{
+    if (drag_ != Drag::tool)
+        return false;
+    follow(ToolAnswer::revert);
+    showCursor();
+    return true;
+}
+
+void Input::hover()
+{
+    if (resting_ && drag_ == Drag::none)
+        tool_->hover(context(), *resting_);
+}
+
+void Input::navigate(const Vec2& way)
+{
+    const PictureSize size = viewport_.pictureSize();
+    const Camera& camera = viewport_.frame_.camera;
+    if (drag_ == Drag::orbit)
+        viewport_.setCamera(orbited(camera, way, size));
+    else if (drag_ == Drag::pan)
+        viewport_.setCamera(panned(camera, way, size));
+    else if (drag_ == Drag::zoom)
+        viewport_.setCamera(zoomed(camera, -way.y / kZoomDragPx, pressed_, size));
+}
+
+bool Input::wheel(const QWheelEvent& event)
+{
+    const double steps = event.angleDelta().isNull() ? event.pixelDelta().y() / kTouchpadNotchPx
+                                                     : event.angleDelta().y() / kWheelNotch;
+    const double ratio = viewport_.presenter_->pixelRatio();
+    const Vec2 cursor = Vec2(event.position().x(), event.position().y()) * ratio;
+    viewport_.setCamera(zoomed(viewport_.frame_.camera, steps, cursor, viewport_.pictureSize()));
+    return true;
+}
+
+void Input::showCursor()
+{
+    const Qt::CursorShape shape = drag_ == Drag::pan     ? Qt::ClosedHandCursor
+                                  : drag_ == Drag::orbit ? Qt::SizeAllCursor
+                                  : drag_ == Drag::zoom  ? Qt::SizeVerCursor
+                                                         : Qt::ArrowCursor;
+    viewport_.presenter_->setCursor(shape);
+}
+
+}  // namespace knotspan

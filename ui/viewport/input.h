@@ -1,0 +1,56 @@
+// The pointer and the keys over the picture: the same code for both presenters. Turns the view itself, and
+// leaves the left button to the current tool first.
+#pragma once
+
+#include <QPointF>
+
+#include "ui/tools/tool.h"
+
+class QEvent;
+class QMouseEvent;
+class QWheelEvent;
+
+namespace knotspan {
+
+class Viewport;
+
+class Input {
+public:
+    explicit Input(Viewport& viewport);
+    ~Input();
+    Input(const Input&) = delete;
+    Input& operator=(const Input&) = delete;
+
+    // True where the event is used up.
+    bool handle(QEvent& event);
+
+    // Takes a running drag of a tool back; false where none ran.
+    bool cancel();
+
+    // Tells the tool where the pointer rests, once the picture it rests on is drawn.
+    void hover();
+
+private:
+    enum class Drag { none, undecided, orbit, pan, zoom, tool };
+
+    bool press(const QMouseEvent& event);
+    bool move(const QMouseEvent& event);
+    bool release(const QMouseEvent& event);
+    bool wheel(const QWheelEvent& event);
+    void navigate(const Vec2& way);
+    void showCursor();
+    [[nodiscard]] ToolContext context() const;
+    [[nodiscard]] ToolPointer pointer(const QMouseEvent& event) const;
+    void follow(ToolAnswer answer);
+
+    Viewport& viewport_;
+    std::unique_ptr<Tool> tool_;
+    Drag drag_ = Drag::none;
+    Qt::MouseButton button_ = Qt::NoButton;
+    int gesture_ = 0;
+    Vec2 pressed_{};
+    Vec2 last_{};
+    std::optional<ToolPointer> resting_;
+};
+
+}  // namespace knotspan

@@ -1,0 +1,187 @@
+#include "ui/viewport/viewport.h"
+
+#include <algorithm>
+
+#include <QEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QStackedLayout>
+#include <QVBoxLayout>
+
+#include "ui/viewport/input.h"
+
+namespace knotspan {
+
+Viewport::Viewport(Document& document, Selection& selection, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      selection_(selection),
+      input_(std::make_unique<Input>(*this))
+{
+    setAccessibleName(tr("Viewport"));
+    setFocusPolicy(Qt::StrongFocus);
+    layout_ = new QStackedLayout(this);
+    layout_->setContentsMargins(0, 0, 0, 0);
+
+    failurePage_ = new QWidget(this);
+    failureText_ = new QLabel(failurePage_);
+    failureText_->setWordWrap(true);
+    failureText_->setAlignment(Qt::AlignCenter);
+    failureText_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    auto* retry = new QPushButton(tr("Try again"), failurePage_);
+    retry->setToolTip(tr("Look for a graphics device once more"));
+    connect(retry, &QPushButton::clicked, this, &Viewport::restart);
+    auto* page = new QVBoxLayout(failurePage_);
+    page->addStretch();
+    page->addWidget(failureText_);
+    page->addWidget(retry, 0, Qt::AlignHCenter);
+    page->addStretch();
+    layout_->addWidget(failurePage_);
+
+    connect(&document_, &Document::documentReplaced, this, [this] {
+        cancelDrag();
+        selection_.clear();
+        viewPending_ = true;
+    });
+    connect(&document_, &Document::sceneChanged, this, [this] {
+        selection_.keepOnly(document_.scene());
+        scenePending_ = true;
+        requestDraw();
+    });
+    connect(&selection_, &Selection::changed, this, &Viewport::requestDraw);
+    frame_.camera.up = {0, 0, 1};
+    restart();
+}
+
+Viewport::~Viewport()
+{
+    document_.disconnect(this);
+    selection_.disconnect(this);
+    usePresenter(nullptr);
+}
+
+void Viewport::restart()
+{
+    usePresenter(nullptr);
+    renderer_.reset();
+    scenePending_ = true;
+    prepared_.clear();
+    Result<std::unique_ptr<Renderer>> made = Renderer::create();
+    if (!made) {
+        showFailure(made.error());
+    } else {
+        renderer_ = std::move(*made);
+        if (!renderer_->whyUnavailable(frame_.path).empty())
+            frame_.path = renderer_->bestPath();
+        usePresenter(makePresenter(*renderer_));
+    }
+    Q_EMIT rendererChanged();
+    Q_EMIT frameChanged();
+    requestDraw();
+}
+
+void Viewport::showFailure(const Error& error)
+{
+    failureText_->setText(QString::fromStdString(error.sentence()));
+    layout_->setCurrentWidget(failurePage_);
+}
+
+void Viewport::usePresenter(std::unique_ptr<Presenter> presenter)
+{
+    if (presenter_) {
+        cancelDrag();
+        presenter_->surface()->removeEventFilter(this);
+        layout_->removeWidget(presenter_->widget());
+    }
+    presenter_ = std::move(presenter);
+    if (!presenter_)
+        return;
+    presenter_->surface()->installEventFilter(this);
+    presenter_->widget()->setAccessibleName(tr("Picture of the model"));
+    layout_->addWidget(presenter_->widget());
+    layout_->setCurrentWidget(presenter_->widget());
+    setFocusProxy(presenter_->widget());
+}
+
+void Viewport::setFrame(const Frame& frame)
+{
+    frame_ = frame;
+    Q_EMIT frameChanged();
+    requestDraw();
+}
+
+void Viewport::setCamera(const Camera& camera)
+{
+    viewPending_ = false;
+    frame_.camera = camera;
+    Q_EMIT frameChanged();
+    requestDraw();
+}
+
+Box Viewport::shownBounds() const
+{
+    return orUnitBox(document_.scene().bounds());
+}
+
+void Viewport::look(std::string_view view)
+{
+    const Camera& camera = frame_.camera;
+    if (const auto named = namedView(view, shownBounds(), pictureSize().aspect(), camera.orthographic,
+                                     camera.verticalFovDegrees))
+        setCamera(*named);
+}
+
+void Viewport::fit()
+{
+    setCamera(fitted(frame_.camera, shownBounds(), pictureSize().aspect()));
+}
+
+void Viewport::fitSelection()
+{
+    Box bounds;
+    for (const ObjectId id : selection_.objects())
+        if (const SharedObject object = document_.scene().find(id))
+            bounds.add(object->bounds());
+    setCamera(fitted(frame_.camera, bounds.isEmpty() ? shownBounds() : bounds, pictureSize().aspect()));
+}
+
+bool Viewport::cancelDrag()
+{
+    return presenter_ && input_->cancel();
+}
+
+PictureSize Viewport::pictureSize() const
+{
+    const QSize size = presenter_ ? presenter_->pixelSize() : QSize();
+    if (size.isEmpty())
+        return {std::max(width(), 1), std::max(height(), 1)};
+    return {size.width(), size.height()};
+}
+
+bool Viewport::eventFilter(QObject* watched, QEvent* event)
+{
+    if (!presenter_ || watched != presenter_->surface())
+        return QWidget::eventFilter(watched, event);
+    switch (event->type()) {
+    case QEvent::Expose:
+    case QEvent::Resize:
+    case QEvent::Show:
+        requestDraw();
+        return false;
+    default:
+        return input_->handle(*event);
+    }
+}
+
+Pick Viewport::pick(const Vec2& position, double radius)
+{
+    if (drawPending_)
+        drawNow();
+    Result<Pick> picked = renderer_->pick(position.x, position.y, radius);
+    if (picked)
+        return *picked;
+    Q_EMIT failed(QString::fromStdString(picked.error().sentence()));
+    return {};
+}
+
+}  // namespace knotspan

@@ -1,0 +1,96 @@
+// The view of the model: owns the renderer and the frame that the window edits, draws when something changed
+// and never else, and lets the hand turn the view and use the current tool.
+#pragma once
+
+#include <memory>
+#include <set>
+
+#include <QWidget>
+
+#include "ui/tools/tool.h"
+#include "ui/viewport/navigation.h"
+#include "ui/viewport/presenter.h"
+
+class QLabel;
+class QStackedLayout;
+
+namespace knotspan {
+
+class Input;
+
+class Viewport : public QWidget {
+    Q_OBJECT
+
+public:
+    // Document and selection outlive the viewport.
+    Viewport(Document& document, Selection& selection, QWidget* parent = nullptr);
+    ~Viewport() override;
+
+    // Null where none could be made; the viewport then shows the reason in its place.
+    [[nodiscard]] Renderer* renderer() { return renderer_.get(); }
+    // Makes a new renderer, after the old one failed.
+    void restart();
+
+    [[nodiscard]] const Frame& frame() const { return frame_; }
+    // Draws soon. Size, selection and marks are the viewport's own and need not be set.
+    void setFrame(const Frame& frame);
+    void setCamera(const Camera& camera);
+
+    // A named view of everything, or of the selected objects. With no renderer the camera moves all the same.
+    void look(std::string_view view);
+    void fit();
+    void fitSelection();
+
+    // Takes a running drag back; false where none ran.
+    bool cancelDrag();
+
+    // Draws at once what would be drawn soon.
+    void drawNow();
+    [[nodiscard]] bool isDrawPending() const { return drawPending_; }
+    [[nodiscard]] PictureSize pictureSize() const;
+    // The object that gets the picture's events: a QWindow or a QWidget.
+    [[nodiscard]] QObject* surface() const { return presenter_ ? presenter_->surface() : nullptr; }
+
+    [[nodiscard]] QSize sizeHint() const override { return {960, 640}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {160, 120}; }
+
+Q_SIGNALS:
+    void frameChanged();
+    // The next frame may take long: the driver compiles shaders for it.
+    void preparing();
+    void frameDrawn(const knotspan::FrameStats& stats);
+    void rendererChanged();
+    void failed(const QString& sentence);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    friend class Input;
+
+    void requestDraw();
+    void usePresenter(std::unique_ptr<Presenter> presenter);
+    void showFailure(const Error& error);
+    void addSelectionTo(Overlays& overlays) const;
+    [[nodiscard]] Result<void> draw();
+    [[nodiscard]] Result<void> present();
+    [[nodiscard]] Pick pick(const Vec2& position, double radius);
+    [[nodiscard]] Box shownBounds() const;
+
+    Document& document_;
+    Selection& selection_;
+    Frame frame_;
+    bool drawPending_ = false;
+    bool scenePending_ = true;
+    bool viewPending_ = true;    // look at the whole model as soon as the picture has a size
+    std::set<PathId> prepared_;  // paths that were drawn; the first time a driver compiles their shaders
+
+    QStackedLayout* layout_ = nullptr;
+    QWidget* failurePage_ = nullptr;
+    QLabel* failureText_ = nullptr;
+    std::unique_ptr<Input> input_;
+    std::unique_ptr<Renderer> renderer_;  // outlives the presenter
+    std::unique_ptr<Presenter> presenter_;
+};
+
+}  // namespace knotspan

@@ -1,0 +1,99 @@
+// Drawing on demand: whatever changes asks for a picture, and one turn of the event loop makes at most one.
+#include <QGuiApplication>
+#include <QTimer>
+
+#include "ui/viewport/input.h"
+#include "ui/viewport/viewport.h"
+
+namespace knotspan {
+
+namespace {
+
+constexpr int kShowWindowMs = 60;
+
+}  // namespace
+
+void Viewport::requestDraw()
+{
+    if (drawPending_)
+        return;
+    drawPending_ = true;
+    // Before a long wait the rest of the window gets the time to show itself.
+    const bool isPrepared = prepared_.count(frame_.path) != 0;
+    QTimer::singleShot(isPrepared ? 0 : kShowWindowMs, this, [this] {
+        if (drawPending_)
+            drawNow();
+    });
+    if (!isPrepared && renderer_)
+        Q_EMIT preparing();
+}
+
+void Viewport::drawNow()
+{
+    drawPending_ = false;
+    if (!presenter_ || presenter_->pixelSize().isEmpty())
+        return;  // showing it asks again
+    if (const Result<void> drawn = draw(); !drawn) {
+        Q_EMIT failed(QString::fromStdString(drawn.error().sentence()));
+        return;
+    }
+    input_->hover();
+}
+
+Result<void> Viewport::draw()
+{
+    if (viewPending_)
+        look("iso");
+    drawPending_ = false;
+    if (scenePending_) {
+        if (Result<void> synced = renderer_->sync(document_.scene()); !synced)
+            return synced;
+        scenePending_ = false;
+    }
+    Frame frame = frame_;
+    const PictureSize size = pictureSize();
+    frame.width = size.width;
+    frame.height = size.height;
+    addSelectionTo(frame.overlays);
+    const bool isPrepared = !prepared_.insert(frame.path).second;
+    if (!isPrepared)
+        QGuiApplication::setOverrideCursor(Qt::WaitCursor);
+    const Result<FrameStats> stats = renderer_->draw(frame);
+    if (!isPrepared)
+        QGuiApplication::restoreOverrideCursor();
+    if (!stats)
+        return tl::unexpected(stats.error());
+    if (Result<void> shown = present(); !shown)
+        return shown;
+    Q_EMIT frameDrawn(*stats);
+    return {};
+}
+
+// Where the window system refuses a surface after all, the read-back picture takes over.
+Result<void> Viewport::present()
+{
+    Result<void> shown = presenter_->show();
+    if (shown || qobject_cast<QWidget*>(presenter_->surface()) != nullptr)
+        return shown;
+    usePresenter(makeImagePresenter(*renderer_));
+    requestDraw();
+    return {};
+}
+
+void Viewport::addSelectionTo(Overlays& overlays) const
+{
+    overlays.netsOf.clear();
+    for (const ObjectId id : selection_.objects())
+        if (const SharedObject object = document_.scene().find(id); object && object->visible)
+            overlays.netsOf.push_back(id);
+    overlays.highlighted = overlays.netsOf;
+    overlays.marks.clear();
+    const auto& selected = selection_.controlPoint();
+    const auto& hovered = selection_.hovered();
+    if (hovered)
+        overlays.marks.push_back({hovered->object, hovered->index, false});
+    if (selected)
+        overlays.marks.push_back({selected->object, selected->index, true});
+}
+
+}  // namespace knotspan

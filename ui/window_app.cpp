@@ -1,0 +1,64 @@
+#include "ui/window_app.h"
+
+#include <cstdlib>
+#include <iostream>
+
+#include <QApplication>
+#include <QDir>
+#include <QTemporaryDir>
+
+#include "ui/main_window.h"
+
+namespace knotspan {
+
+namespace {
+
+// Qt ends the whole program where it finds no display; we say it ourselves.
+bool hasDisplay()
+{
+    for (const char* name : {"QT_QPA_PLATFORM", "DISPLAY", "WAYLAND_DISPLAY"})
+        if (!qEnvironmentVariableIsEmpty(name))
+            return true;
+    return false;
+}
+
+// Qt complains about a session without one, a container's say: it gets one for as long as the window runs.
+class RuntimeFolder {
+public:
+    RuntimeFolder()
+    {
+        if (!qEnvironmentVariableIsEmpty("XDG_RUNTIME_DIR") || !folder_.isValid())
+            return;
+        qputenv("XDG_RUNTIME_DIR", folder_.path().toLocal8Bit());
+    }
+
+private:
+    QTemporaryDir folder_{QDir::tempPath() + "/knotspan-XXXXXX"};
+};
+
+}  // namespace
+
+int runWindow(int& argc, char** argv, const std::vector<std::filesystem::path>& files)
+{
+    if (!hasDisplay()) {
+        std::cerr
+            << "knotspan: There is no display to open a window on. Use `knotspan render FILE -o OUT.png` "
+               "to make a picture without one.\n";
+        return EXIT_FAILURE;
+    }
+    const RuntimeFolder runtimeFolder;
+    QApplication application(argc, argv);
+    QApplication::setApplicationName("Knotspan");
+    QApplication::setOrganizationName("Knotspan");
+    QGuiApplication::setDesktopFileName("knotspan");
+
+    MainWindow window;
+    if (files.empty())
+        window.openSample("hull");
+    else
+        window.openFiles(files);
+    window.show();
+    return QApplication::exec();
+}
+
+}  // namespace knotspan
