@@ -93,7 +93,8 @@ TEST_P(Culling, OfAMirroredBodyDropsWhatFacesAway)
     KNOTSPAN_NEED_RENDERER(renderer);
     KNOTSPAN_NEED_PATH(*renderer, GetParam());
     Scene scene = findSample("sphere")->make();
-    for (const auto& [id, object] : Scene(scene).objects()) {
+    const Scene::Objects upright = scene.objects();
+    for (const auto& [id, object] : upright) {
         SceneObject mirrored = *object;
         mirrored.transform[0] = -mirrored.transform[0];
         scene.exchange(id, std::make_shared<const SceneObject>(std::move(mirrored)));
