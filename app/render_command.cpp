@@ -17,10 +17,10 @@ struct Drawn {
     FrameStats stats;
 };
 
-Frame frameFor(const RenderTexts& texts, const RenderRequest& request, const Box& bounds, PathId path)
+Frame frameFor(const RenderTexts& texts, const RenderRequest& request, const Scene& scene, PathId path)
 {
     Frame frame;
-    frame.camera = cameraFor(texts, request, bounds);
+    frame.camera = cameraFor(texts, request, scene);
     frame.width = request.size.width;
     frame.height = request.size.height;
     frame.path = path;
@@ -56,8 +56,7 @@ Result<Drawn> render(const RenderTexts& texts, const RenderRequest& request)
     const auto scene = readModel(texts.file);
     if (!scene)
         return tl::unexpected(scene.error());
-    const Box bounds = scene->bounds();
-    if (bounds.isEmpty())
+    if (scene->bounds().isEmpty())
         return tl::unexpected<Error>({"The model holds nothing to show", texts.file, "Choose another model"});
     auto renderer = Renderer::create({texts.device, false});
     if (!renderer)
@@ -66,7 +65,7 @@ Result<Drawn> render(const RenderTexts& texts, const RenderRequest& request)
     if (const std::string why = (*renderer)->whyUnavailable(path); !why.empty())
         return tl::unexpected<Error>({why.back() == '.' ? why.substr(0, why.size() - 1) : why,
                                       "--path " + pathInfo(path).name, "Choose another path"});
-    return draw(**renderer, *scene, frameFor(texts, request, bounds, path), request, texts.frames);
+    return draw(**renderer, *scene, frameFor(texts, request, *scene, path), request, texts.frames);
 }
 
 Result<void> write(const RenderTexts& texts, const Drawn& drawn)

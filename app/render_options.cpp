@@ -130,22 +130,22 @@ RenderRequest parse(const RenderTexts& texts)
     if (!texts.deform.empty())
         request.deformation =
             foundOr(findDeformation(texts.deform), "--deform", texts.deform, deformationNames());
-    if (!texts.view.empty() && !namedView(texts.view, Box{Vec3(0.0), Vec3(1.0)}, 1, false))
+    if (!texts.view.empty() && !namedView(texts.view, {}, 1, false))
         refuseName("--view", texts.view, namedViews());
     parseEye(texts, request);
     return request;
 }
 
-Camera cameraFor(const RenderTexts& texts, const RenderRequest& request, const Box& bounds)
+Camera cameraFor(const RenderTexts& texts, const RenderRequest& request, const Scene& scene)
 {
     if (!request.eye) {
         const double aspect = static_cast<double>(request.size.width) / request.size.height;
         const std::string view = texts.view.empty() ? "iso" : texts.view;
-        return *namedView(view, bounds, aspect, texts.orthographic, texts.fov);
+        return *namedView(view, scene.controlPoints(), aspect, texts.orthographic, texts.fov);
     }
     Camera camera;
     camera.eye = *request.eye;
-    camera.target = request.target.value_or(bounds.centre());
+    camera.target = request.target.value_or(scene.bounds().centre());
     if (camera.target == camera.eye)
         camera.target += Vec3(0, 1, 0);
     camera.up = request.up.value_or(Vec3(0, 0, 1));

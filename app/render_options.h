@@ -40,7 +40,7 @@ struct RenderRequest {
 // Throws CLI::ValidationError for what no list or range has.
 [[nodiscard]] RenderRequest parse(const RenderTexts& texts);
 
-// The camera for a model with these bounds (not empty).
-[[nodiscard]] Camera cameraFor(const RenderTexts& texts, const RenderRequest& request, const Box& bounds);
+// The camera for a model that shows something.
+[[nodiscard]] Camera cameraFor(const RenderTexts& texts, const RenderRequest& request, const Scene& scene);
 
 }  // namespace knotspan::app

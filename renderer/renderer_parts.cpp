@@ -55,6 +55,26 @@ SurfacePath& Renderer::Parts::pathFor(PathId id)
     return *path;
 }
 
+void Renderer::Parts::checkSize(const Frame& frame) const
+{
+    const auto most = static_cast<int>(std::min(device.limits().maxImageDimension2D, 16384U));
+    if (frame.width < 1 || frame.height < 1 || frame.width > most || frame.height > most)
+        throw VulkanError({"A picture of " + std::to_string(frame.width) + " by " +
+                               std::to_string(frame.height) + " pixels cannot be drawn",
+                           {},
+                           "Choose sizes from 1 to " + std::to_string(most)});
+}
+
+void Renderer::Parts::fitTargets(const Frame& frame)
+{
+    const VkExtent2D extent{static_cast<std::uint32_t>(frame.width),
+                            static_cast<std::uint32_t>(frame.height)};
+    if (!targets || targets->extent().width != extent.width || targets->extent().height != extent.height) {
+        targets.reset();
+        targets = std::make_unique<FrameTargets>(device, extent);
+    }
+}
+
 void Renderer::Parts::uploadRecord(const gpu::FrameRecord& record)
 {
     if (frameRecord_ && std::memcmp(&*frameRecord_, &record, sizeof(record)) == 0)
@@ -88,12 +108,7 @@ void Renderer::Parts::updateFrameRecord(const Frame& frame, const SurfacePath& p
 FrameStats Renderer::Parts::draw(const Frame& frame, bool capture)
 {
     const auto started = std::chrono::steady_clock::now();
-    const auto most = static_cast<int>(std::min(device.limits().maxImageDimension2D, 16384U));
-    if (frame.width < 1 || frame.height < 1 || frame.width > most || frame.height > most)
-        throw VulkanError({"A picture of " + std::to_string(frame.width) + " by " +
-                               std::to_string(frame.height) + " pixels cannot be drawn",
-                           {},
-                           "Choose sizes from 1 to " + std::to_string(most)});
+    checkSize(frame);
     SurfacePath& path = pathFor(frame.path);
     const SamplingRule sampling =
         frame.sampling.kind == SamplingRule::Kind::pathDefault ? path.defaultSampling() : frame.sampling;
@@ -102,12 +117,7 @@ FrameStats Renderer::Parts::draw(const Frame& frame, bool capture)
             {"The path " + pathInfo(frame.path).name + " cannot sample by the rule " + name(sampling),
              {},
              "Leave the rule out, or use " + name(path.defaultSampling())});
-    const VkExtent2D extent{static_cast<std::uint32_t>(frame.width),
-                            static_cast<std::uint32_t>(frame.height)};
-    if (!targets || targets->extent().width != extent.width || targets->extent().height != extent.height) {
-        targets.reset();
-        targets = std::make_unique<FrameTargets>(device, extent);
-    }
+    fitTargets(frame);
     scene.updateViews(frame.camera, frame.overlays.highlighted);
     updateFrameRecord(frame, path, sampling, capture);
     const bool anything = scene.ksquadCount() > 0;
@@ -135,7 +145,13 @@ FrameStats Renderer::Parts::draw(const Frame& frame, bool capture)
     });
     lastFrame = frame;
 
-    const gpu::Counters counted = counters.read();
+    FrameStats stats = statsOf(frame, sampling, uploaded);
+    stats.cpuMs = {cpuMs, cpuMs, cpuMs};
+    return stats;
+}
+
+FrameStats Renderer::Parts::statsOf(const Frame& frame, SamplingRule sampling, VkDeviceSize uploaded)
+{
     FrameStats stats;
     stats.device = device.name();
     stats.path = pathInfo(frame.path).name;
@@ -146,13 +162,13 @@ FrameStats Renderer::Parts::draw(const Frame& frame, bool capture)
     stats.height = frame.height;
     stats.surfaces = scene.residents().size();
     stats.ksquads = scene.ksquadCount();
+    const gpu::Counters counted = counters.read();
     stats.ksquadsDrawn = counted.drawn;
     std::copy(std::begin(counted.culled), std::end(counted.culled), stats.ksquadsCulled.begin());
     stats.ksdice = counted.ksdice;
     stats.triangles = counted.triangles;
     stats.evaluations = counted.evaluations;
     const double gpuMs = clock.milliseconds();
-    stats.cpuMs = {cpuMs, cpuMs, cpuMs};
     stats.gpuMs = {gpuMs, gpuMs, gpuMs};
     if (firstUpload_ == 0)
         firstUpload_ = uploaded;

@@ -39,8 +39,11 @@ struct Renderer::Parts {
 
 private:
     SurfacePath& pathFor(PathId id);
+    void checkSize(const Frame& frame) const;
+    void fitTargets(const Frame& frame);
     void updateFrameRecord(const Frame& frame, const SurfacePath& path, SamplingRule sampling, bool capture);
     void uploadRecord(const gpu::FrameRecord& record);
+    FrameStats statsOf(const Frame& frame, SamplingRule sampling, VkDeviceSize uploaded);
     void drawOverlays(VkCommandBuffer commands, const Overlays& overlays) const;
     [[nodiscard]] std::vector<CapturedVertex> named(const std::vector<gpu::CapturedRecord>& records) const;
     [[nodiscard]] std::optional<PickedControlPoint> nearestControlPoint(const Vec2& pixel,

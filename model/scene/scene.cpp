@@ -39,6 +39,16 @@ Box Scene::bounds() const
     return box;
 }
 
+std::vector<Vec3> Scene::controlPoints() const
+{
+    std::vector<Vec3> points;
+    for (const auto& [id, object] : objects_)
+        if (object->visible)
+            for (const ControlPoint& point : object->surface.controlPoints())
+                points.push_back(transformed(point.position, object->transform));
+    return points;
+}
+
 size_t Scene::ksQuadCount() const
 {
     size_t count = 0;

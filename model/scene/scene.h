@@ -33,6 +33,7 @@ public:
     void setUnits(std::string units) { units_ = std::move(units); }
 
     [[nodiscard]] Box bounds() const;  // of the visible objects
+    [[nodiscard]] std::vector<Vec3> controlPoints() const;  // of the visible objects, in model space
     [[nodiscard]] size_t ksQuadCount() const;
     [[nodiscard]] size_t controlPointCount() const;
 

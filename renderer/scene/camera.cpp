@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -143,8 +144,8 @@ const std::vector<std::string>& namedViews()
     return views;
 }
 
-std::optional<Camera> namedView(std::string_view name, const Box& bounds, double aspect, bool orthographic,
-                                double verticalFovDegrees)
+std::optional<Camera> namedView(std::string_view name, const std::vector<Vec3>& points, double aspect,
+                                bool orthographic, double verticalFovDegrees)
 {
     // The direction in which each view looks.
     constexpr double k = 0.57735026918962576;
@@ -161,31 +162,42 @@ std::optional<Camera> namedView(std::string_view name, const Box& bounds, double
     camera.up = direction.z == 1.0 ? Vec3(0, -1, 0) : direction.z == -1.0 ? Vec3(0, 1, 0) : Vec3(0, 0, 1);
     camera.target = Vec3(0);
     camera.eye = -direction;
-    return fitted(camera, bounds, aspect);
+    return fitted(camera, points, aspect);
 }
 
-Camera fitted(Camera camera, const Box& bounds, double aspect)
+Camera fitted(Camera camera, const std::vector<Vec3>& points, double aspect)
 {
-    const Vec3 direction = camera.forward();
-    const Vec3 right = camera.right();
-    const Vec3 up = camera.upward();
+    if (points.empty())
+        return fitted(camera, {Vec3(-1), Vec3(1, -1, -1), Vec3(-1, 1, -1), Vec3(-1, -1, 1), Vec3(1)}, aspect);
+    const Vec3 forward = camera.forward();
+    Box box;
+    for (const Vec3& point : points)
+        box.add(point);
+    const Vec3 centre = box.centre();
+
+    // Each side of the view is a plane through the eye. For each pair of sides the points that reach furthest
+    // towards them say how far back the eye must be, and where between them.
     const double tangentY = std::tan(glm::radians(camera.verticalFovDegrees) * 0.5);
-    const double tangentX = tangentY * aspect;
     double distance = 0.0;
-    const Vec3 centre = bounds.isEmpty() ? Vec3(0) : bounds.centre();
-    const Vec3 half = bounds.isEmpty() ? Vec3(1) : bounds.size() * 0.5;
-    for (int corner = 0; corner < 8; ++corner) {
-        const Vec3 offset((corner & 1) != 0 ? half.x : -half.x, (corner & 2) != 0 ? half.y : -half.y,
-                          (corner & 4) != 0 ? half.z : -half.z);
-        const double nearer = camera.orthographic ? 0.0 : -glm::dot(offset, direction);
-        distance = std::max(distance, std::abs(glm::dot(offset, right)) / tangentX + nearer);
-        distance = std::max(distance, std::abs(glm::dot(offset, up)) / tangentY + nearer);
+    Vec3 aside(0);
+    for (const auto& [axis, tangent] :
+         {std::pair(camera.right(), tangentY * aspect), std::pair(camera.upward(), tangentY)}) {
+        double highest = -std::numeric_limits<double>::infinity();
+        double lowest = highest;
+        for (const Vec3& point : points) {
+            const double across = glm::dot(point - centre, axis);
+            const double nearer = camera.orthographic ? 0.0 : -tangent * glm::dot(point - centre, forward);
+            highest = std::max(highest, across + nearer);
+            lowest = std::max(lowest, nearer - across);
+        }
+        distance = std::max(distance, (highest + lowest) / (2.0 * tangent));
+        aside += axis * ((highest - lowest) * 0.5);
     }
     constexpr double kMargin = 1.06;
     if (!(distance > 0.0))
         distance = 1.0;  // a scene of a single point
-    camera.target = centre;
-    camera.eye = centre - direction * (distance * kMargin);
+    camera.target = centre + aside;
+    camera.eye = camera.target - forward * (distance * kMargin);
     return camera;
 }
 

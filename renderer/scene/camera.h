@@ -48,12 +48,13 @@ struct Camera {
 // The named views, in the order of the list: "iso", "front", "back", "left", "right", "top", "bottom".
 [[nodiscard]] const std::vector<std::string>& namedViews();
 
-// Looks at the whole of `bounds` from a named direction; nothing for an unknown name. z is up, front looks
-// along +y.
-[[nodiscard]] std::optional<Camera> namedView(std::string_view name, const Box& bounds, double aspect,
-                                              bool orthographic, double verticalFovDegrees = 35);
+// Looks at all `points` from a named direction; nothing for an unknown name. z is up, front looks along +y.
+[[nodiscard]] std::optional<Camera> namedView(std::string_view name, const std::vector<Vec3>& points,
+                                              double aspect, bool orthographic,
+                                              double verticalFovDegrees = 35);
 
-// The same direction, moved so that `bounds` fills the picture.
-[[nodiscard]] Camera fitted(Camera camera, const Box& bounds, double aspect);
+// The same direction, moved so that the points (a scene's control points: the surfaces lie inside their hull)
+// fill the picture. Without points, as for a box of two units around the origin.
+[[nodiscard]] Camera fitted(Camera camera, const std::vector<Vec3>& points, double aspect);
 
 }  // namespace knotspan

@@ -48,6 +48,60 @@ VkPipelineShaderStageCreateInfo stageInfo(VkShaderModule module, VkShaderStageFl
     return info;
 }
 
+// The state that does not come from shaders. Its parts point at one another, so it stays where it was made.
+struct FixedState {
+    explicit FixedState(const GraphicsPipelineInfo& info)
+    {
+        assembly.topology = info.topology;
+        tessellation.patchControlPoints = 1;  // a patch is the index of a KSQuad
+        viewport.viewportCount = 1;
+        viewport.scissorCount = 1;
+        raster.cullMode = VK_CULL_MODE_NONE;
+        raster.lineWidth = 1.0F;
+        multisample.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
+        depth.depthTestEnable = VK_TRUE;
+        depth.depthWriteEnable = info.overlay ? VK_FALSE : VK_TRUE;
+        depth.depthCompareOp = VK_COMPARE_OP_GREATER;
+        blends[0].colorWriteMask =
+            VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT;
+        if (info.overlay) {
+            blends[0].blendEnable = VK_TRUE;
+            blends[0].srcColorBlendFactor = VK_BLEND_FACTOR_SRC_ALPHA;
+            blends[0].dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
+        } else {
+            blends[1].colorWriteMask = VK_COLOR_COMPONENT_R_BIT;
+        }
+        blend.attachmentCount = static_cast<std::uint32_t>(blends.size());
+        blend.pAttachments = blends.data();
+        dynamic.dynamicStateCount = info.overlay ? 3 : 2;
+        dynamic.pDynamicStates = kDynamicStates;
+        rendering.colorAttachmentCount = 2;
+        rendering.pColorAttachmentFormats = kColourFormats;
+        rendering.depthAttachmentFormat = kDepthFormat;
+    }
+    FixedState(const FixedState&) = delete;
+    FixedState& operator=(const FixedState&) = delete;
+
+    static constexpr VkDynamicState kDynamicStates[] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR,
+                                                        VK_DYNAMIC_STATE_DEPTH_COMPARE_OP};
+    static constexpr VkFormat kColourFormats[] = {kColourFormat, kIndexFormat};
+    std::array<VkPipelineColorBlendAttachmentState, 2> blends{};
+    VkPipelineVertexInputStateCreateInfo vertexInput{
+        VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
+    VkPipelineInputAssemblyStateCreateInfo assembly{
+        VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO};
+    VkPipelineTessellationStateCreateInfo tessellation{
+        VK_STRUCTURE_TYPE_PIPELINE_TESSELLATION_STATE_CREATE_INFO};
+    VkPipelineViewportStateCreateInfo viewport{VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO};
+    VkPipelineRasterizationStateCreateInfo raster{VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO};
+    VkPipelineMultisampleStateCreateInfo multisample{
+        VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
+    VkPipelineDepthStencilStateCreateInfo depth{VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO};
+    VkPipelineColorBlendStateCreateInfo blend{VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};
+    VkPipelineDynamicStateCreateInfo dynamic{VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO};
+    VkPipelineRenderingCreateInfo rendering{VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO};
+};
+
 }  // namespace
 
 Bindings::Bindings(const Device& device) : device_(device), placeholder_(device, 256, Buffer::Place::device)
@@ -76,21 +130,27 @@ Bindings::Bindings(const Device& device) : device_(device), placeholder_(device,
     vkCheck(vkCreatePipelineLayout(device.get(), &layoutInfo, nullptr, &layout), "making a layout");
     pipelineLayout_ = {device.get(), layout};
 
+    allocateSet();
+    for (int binding = 0; binding < BINDING_COUNT; ++binding)
+        set(binding, placeholder_);
+}
+
+void Bindings::allocateSet()
+{
     const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, BINDING_COUNT};
     VkDescriptorPoolCreateInfo poolInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
     poolInfo.maxSets = 1;
     poolInfo.poolSizeCount = 1;
     poolInfo.pPoolSizes = &size;
     VkDescriptorPool pool = VK_NULL_HANDLE;
-    vkCheck(vkCreateDescriptorPool(device.get(), &poolInfo, nullptr, &pool), "making a descriptor pool");
-    pool_ = {device.get(), pool};
+    vkCheck(vkCreateDescriptorPool(device_.get(), &poolInfo, nullptr, &pool), "making a descriptor pool");
+    pool_ = {device_.get(), pool};
+    const VkDescriptorSetLayout setLayout = setLayout_.get();
     VkDescriptorSetAllocateInfo allocate{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
     allocate.descriptorPool = pool;
     allocate.descriptorSetCount = 1;
     allocate.pSetLayouts = &setLayout;
-    vkCheck(vkAllocateDescriptorSets(device.get(), &allocate, &set_), "making a descriptor set");
-    for (int binding = 0; binding < BINDING_COUNT; ++binding)
-        set(binding, placeholder_);
+    vkCheck(vkAllocateDescriptorSets(device_.get(), &allocate, &set_), "making a descriptor set");
 }
 
 void Bindings::set(int binding, const Buffer& buffer)
@@ -131,67 +191,23 @@ Pipeline makeGraphicsPipeline(const Device& device, const Bindings& bindings,
             stages.back().pSpecializationInfo = &specialization;
     }
 
-    VkPipelineVertexInputStateCreateInfo vertexInput{
-        VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
-    VkPipelineInputAssemblyStateCreateInfo assembly{
-        VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO};
-    assembly.topology = info.topology;
-    VkPipelineTessellationStateCreateInfo tessellation{
-        VK_STRUCTURE_TYPE_PIPELINE_TESSELLATION_STATE_CREATE_INFO};
-    tessellation.patchControlPoints = 1;  // a patch is the index of a KSQuad
-    VkPipelineViewportStateCreateInfo viewport{VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO};
-    viewport.viewportCount = 1;
-    viewport.scissorCount = 1;
-    VkPipelineRasterizationStateCreateInfo raster{VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO};
-    raster.cullMode = VK_CULL_MODE_NONE;
-    raster.lineWidth = 1.0F;
-    VkPipelineMultisampleStateCreateInfo multisample{
-        VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
-    multisample.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
-    VkPipelineDepthStencilStateCreateInfo depth{VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO};
-    depth.depthTestEnable = VK_TRUE;
-    depth.depthWriteEnable = info.overlay ? VK_FALSE : VK_TRUE;
-    depth.depthCompareOp = VK_COMPARE_OP_GREATER;
-    std::array<VkPipelineColorBlendAttachmentState, 2> blends{};
-    blends[0].colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT;
-    if (info.overlay) {
-        blends[0].blendEnable = VK_TRUE;
-        blends[0].srcColorBlendFactor = VK_BLEND_FACTOR_SRC_ALPHA;
-        blends[0].dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
-    } else {
-        blends[1].colorWriteMask = VK_COLOR_COMPONENT_R_BIT;
-    }
-    VkPipelineColorBlendStateCreateInfo blend{VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};
-    blend.attachmentCount = static_cast<std::uint32_t>(blends.size());
-    blend.pAttachments = blends.data();
-    const VkDynamicState dynamicStates[] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR,
-                                            VK_DYNAMIC_STATE_DEPTH_COMPARE_OP};
-    VkPipelineDynamicStateCreateInfo dynamic{VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO};
-    dynamic.dynamicStateCount = info.overlay ? 3 : 2;
-    dynamic.pDynamicStates = dynamicStates;
-    const VkFormat colours[] = {kColourFormat, kIndexFormat};
-    VkPipelineRenderingCreateInfo rendering{VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO};
-    rendering.colorAttachmentCount = 2;
-    rendering.pColorAttachmentFormats = colours;
-    rendering.depthAttachmentFormat = kDepthFormat;
-
-    const VkShaderStageFlagBits first = stages.front().stage;
+    const FixedState state(info);
     VkGraphicsPipelineCreateInfo create{VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO};
-    create.pNext = &rendering;
+    create.pNext = &state.rendering;
     create.stageCount = static_cast<std::uint32_t>(stages.size());
     create.pStages = stages.data();
-    if (first == VK_SHADER_STAGE_VERTEX_BIT) {
-        create.pVertexInputState = &vertexInput;
-        create.pInputAssemblyState = &assembly;
+    if (stages.front().stage == VK_SHADER_STAGE_VERTEX_BIT) {
+        create.pVertexInputState = &state.vertexInput;
+        create.pInputAssemblyState = &state.assembly;
     }
     if (info.topology == VK_PRIMITIVE_TOPOLOGY_PATCH_LIST)
-        create.pTessellationState = &tessellation;
-    create.pViewportState = &viewport;
-    create.pRasterizationState = &raster;
-    create.pMultisampleState = &multisample;
-    create.pDepthStencilState = &depth;
-    create.pColorBlendState = &blend;
-    create.pDynamicState = &dynamic;
+        create.pTessellationState = &state.tessellation;
+    create.pViewportState = &state.viewport;
+    create.pRasterizationState = &state.raster;
+    create.pMultisampleState = &state.multisample;
+    create.pDepthStencilState = &state.depth;
+    create.pColorBlendState = &state.blend;
+    create.pDynamicState = &state.dynamic;
     create.layout = bindings.layout();
     VkPipeline pipeline = VK_NULL_HANDLE;
     vkCheck(vkCreateGraphicsPipelines(device.get(), VK_NULL_HANDLE, 1, &create, nullptr, &pipeline),

@@ -22,6 +22,8 @@ public:
     [[nodiscard]] VkPipelineLayout layout() const { return pipelineLayout_.get(); }
 
 private:
+    void allocateSet();
+
     const Device& device_;
     DescriptorSetLayout setLayout_;
     PipelineLayout pipelineLayout_;

@@ -79,7 +79,6 @@ void expectAccurate(const Worst& worst, const char* stage, int degree)
     EXPECT_GT(worst.points, 100U);
     EXPECT_LE(worst.units, kMostUnits) << stage << ", degree " << degree;
     EXPECT_LE(worst.normal, 1e-3) << stage << ", degree " << degree;
-    ::testing::Test::RecordProperty(std::string(stage) + "_units", std::to_string(worst.units));
 }
 
 TEST_P(Evaluation, OfTheMeshStageIsWithinSixteenUnitsOfTheReference)

@@ -34,9 +34,4 @@ Camera zoomed(Camera camera, double steps, const Vec2& cursor, const PictureSize
     return camera;
 }
 
-Box orUnitBox(const Box& box)
-{
-    return box.isEmpty() ? Box{Vec3(-1), Vec3(1)} : box;
-}
-
 }  // namespace knotspan

@@ -22,7 +22,4 @@ struct PictureSize {
 // `steps` notches of a wheel closer (negative: away); what is under the cursor, at the target's depth, stays.
 [[nodiscard]] Camera zoomed(Camera camera, double steps, const Vec2& cursor, const PictureSize& size);
 
-// What the camera looks at when it looks at nothing.
-[[nodiscard]] Box orUnitBox(const Box& box);
-
 }  // namespace knotspan

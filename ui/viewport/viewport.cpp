@@ -118,31 +118,27 @@ void Viewport::setCamera(const Camera& camera)
     requestDraw();
 }
 
-Box Viewport::shownBounds() const
-{
-    return orUnitBox(document_.scene().bounds());
-}
-
 void Viewport::look(std::string_view view)
 {
     const Camera& camera = frame_.camera;
-    if (const auto named = namedView(view, shownBounds(), pictureSize().aspect(), camera.orthographic,
-                                     camera.verticalFovDegrees))
+    if (const auto named = namedView(view, document_.scene().controlPoints(), pictureSize().aspect(),
+                                     camera.orthographic, camera.verticalFovDegrees))
         setCamera(*named);
 }
 
 void Viewport::fit()
 {
-    setCamera(fitted(frame_.camera, shownBounds(), pictureSize().aspect()));
+    setCamera(fitted(frame_.camera, document_.scene().controlPoints(), pictureSize().aspect()));
 }
 
 void Viewport::fitSelection()
 {
-    Box bounds;
+    Scene selected;
     for (const ObjectId id : selection_.objects())
         if (const SharedObject object = document_.scene().find(id))
-            bounds.add(object->bounds());
-    setCamera(fitted(frame_.camera, bounds.isEmpty() ? shownBounds() : bounds, pictureSize().aspect()));
+            selected.exchange(id, object);
+    const Scene& shown = selected.objects().empty() ? document_.scene() : selected;
+    setCamera(fitted(frame_.camera, shown.controlPoints(), pictureSize().aspect()));
 }
 
 bool Viewport::cancelDrag()

@@ -75,7 +75,6 @@ private:
     [[nodiscard]] Result<void> draw();
     [[nodiscard]] Result<void> present();
     [[nodiscard]] Pick pick(const Vec2& position, double radius);
-    [[nodiscard]] Box shownBounds() const;
 
     Document& document_;
     Selection& selection_;

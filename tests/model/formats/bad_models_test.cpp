@@ -126,16 +126,23 @@ TEST_F(BadModels, ThatClaimTenGigabytesOfControlPointsAreRefusedWithoutMakingThe
               "points, but there are 16.");
 }
 
+std::string missing(const char* key)
+{
+    std::string sentence = "\"";
+    sentence.append(key).append("\" is missing.");
+    return sentence;
+}
+
 TEST_F(BadModels, WithAMissingMemberAreRefused)
 {
     for (const char* key : {"version", "units", "objects"})
-        EXPECT_EQ(refusalOf([&](json& m) { m.erase(key); }), "\"" + std::string(key) + "\" is missing.");
+        EXPECT_EQ(refusalOf([&](json& m) { m.erase(key); }), missing(key));
     for (const char* key : {"name", "colour", "transform", "visible", "surface", "trim_loops"})
         EXPECT_EQ(refusalOf([&](json& m) { m["objects"][4].erase(key); }),
-                  "objects[4]: \"" + std::string(key) + "\" is missing.");
+                  "objects[4]: " + missing(key));
     for (const char* key : {"degree_u", "degree_v", "knots_u", "knots_v", "control_points"})
         EXPECT_EQ(refusalOf([&](json& m) { m["objects"][4]["surface"].erase(key); }),
-                  "objects[4], surface: \"" + std::string(key) + "\" is missing.");
+                  "objects[4], surface: " + missing(key));
 }
 
 TEST_F(BadModels, WithMembersOfTheWrongTypeAreRefused)
