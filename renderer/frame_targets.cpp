@@ -31,7 +31,8 @@ FrameTargets::FrameTargets(const Device& device, VkExtent2D extent)
                VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
                VK_IMAGE_ASPECT_COLOR_BIT),
       depth_(device, kDepthFormat, extent, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
-             VK_IMAGE_ASPECT_DEPTH_BIT)
+             VK_IMAGE_ASPECT_DEPTH_BIT),
+      onePixel_(device, sizeof(std::uint32_t), Buffer::Place::readBack)
 {
 }
 
@@ -84,31 +85,32 @@ Picture FrameTargets::read() const
 {
     Picture picture{static_cast<int>(extent_.width), static_cast<int>(extent_.height), {}};
     picture.rgba.resize(size_t{4} * extent_.width * extent_.height);
-    copyOut(colour_, {{0, 0}, extent_}, picture.rgba.size(), picture.rgba.data());
+    const Buffer readBack(device_, picture.rgba.size(), Buffer::Place::readBack);
+    copyOut(colour_, {{0, 0}, extent_}, readBack);
+    std::memcpy(picture.rgba.data(), readBack.mapped(), picture.rgba.size());
     return picture;
 }
 
 std::uint32_t FrameTargets::surfaceAt(std::uint32_t x, std::uint32_t y) const
 {
+    copyOut(indices_, {{static_cast<int>(x), static_cast<int>(y)}, {1, 1}}, onePixel_);
     std::uint32_t index = 0;
-    copyOut(indices_, {{static_cast<int>(x), static_cast<int>(y)}, {1, 1}}, sizeof(index), &index);
+    std::memcpy(&index, onePixel_.mapped(), sizeof(index));
     return index;
 }
 
-void FrameTargets::copyOut(const Image& image, VkRect2D region, VkDeviceSize bytes, void* to) const
+void FrameTargets::copyOut(const Image& image, VkRect2D region, const Buffer& to) const
 {
-    const Buffer readBack(device_, bytes, Buffer::Place::readBack);
     device_.execute([&](VkCommandBuffer commands) {
         VkBufferImageCopy copy{};
         copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
         copy.imageOffset = {region.offset.x, region.offset.y, 0};
         copy.imageExtent = {region.extent.width, region.extent.height, 1};
-        vkCmdCopyImageToBuffer(commands, image.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, readBack.get(), 1,
+        vkCmdCopyImageToBuffer(commands, image.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, to.get(), 1,
                                &copy);
         memoryBarrier(commands, VK_PIPELINE_STAGE_2_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
                       VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT);
     });
-    std::memcpy(to, readBack.mapped(), bytes);
 }
 
 }  // namespace knotspan

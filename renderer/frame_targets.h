@@ -24,13 +24,14 @@ public:
     [[nodiscard]] std::uint32_t surfaceAt(std::uint32_t x, std::uint32_t y) const;
 
 private:
-    void copyOut(const Image& image, VkRect2D region, VkDeviceSize bytes, void* to) const;
+    void copyOut(const Image& image, VkRect2D region, const Buffer& to) const;
 
     const Device& device_;
     VkExtent2D extent_;
     Image colour_;
     Image indices_;
     Image depth_;
+    Buffer onePixel_;
 };
 
 }  // namespace knotspan

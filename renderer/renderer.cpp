@@ -10,8 +10,10 @@ namespace {
 
 // The renderer's border: what is an exception inside is an Error outside.
 template <class Work>
-auto guarded(Work&& work) -> Result<decltype(work())>
+auto guarded(Work&& work, bool* deviceLost = nullptr) -> Result<decltype(work())>
 {
+    if (deviceLost != nullptr && *deviceLost)
+        return failure("The graphics device stopped answering", "Save your work and start Knotspan again");
     try {
         if constexpr (std::is_void_v<decltype(work())>) {
             work();
@@ -20,6 +22,8 @@ auto guarded(Work&& work) -> Result<decltype(work())>
             return work();
         }
     } catch (const VulkanError& error) {
+        if (deviceLost != nullptr && error.deviceLost())
+            *deviceLost = true;
         return tl::unexpected(error.error());
     } catch (const std::bad_alloc&) {
         return failure("The memory is full", "Close other programs, or open a smaller model");
@@ -87,24 +91,24 @@ PathId Renderer::bestPath() const
 
 Result<void> Renderer::sync(const Scene& scene)
 {
-    return guarded([&] { parts_->scene.sync(scene); });
+    return guarded([&] { parts_->sync(scene); }, &parts_->deviceLost);
 }
 
 Result<FrameStats> Renderer::draw(const Frame& frame)
 {
-    return guarded([&] { return parts_->draw(frame, false); });
+    return guarded([&] { return parts_->draw(frame, false); }, &parts_->deviceLost);
 }
 
 Result<Picture> Renderer::capture()
 {
-    if (!parts_->targets)
+    if (!parts_->lastFrame)
         return failure("There is no picture yet", "Draw a frame first");
-    return guarded([&] { return parts_->targets->read(); });
+    return guarded([&] { return parts_->targets->read(); }, &parts_->deviceLost);
 }
 
 Result<Pick> Renderer::pick(double x, double y, double radiusPx)
 {
-    return guarded([&] { return parts_->pick(x, y, radiusPx); });
+    return guarded([&] { return parts_->pick(x, y, radiusPx); }, &parts_->deviceLost);
 }
 
 void* Renderer::instance() const
@@ -114,30 +118,33 @@ void* Renderer::instance() const
 
 Result<std::unique_ptr<Swapchain>> Renderer::createSwapchain(std::uint64_t surface, int width, int height)
 {
-    return guarded([&] {
-        // A VkSurfaceKHR is a pointer on 64-bit machines and a number elsewhere.
-        const auto handle = (VkSurfaceKHR)surface;  // NOLINT
-        const VkExtent2D extent{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
-        return std::make_unique<Swapchain>(std::unique_ptr<Swapchain::Parts>(
-            new Swapchain::Parts{WindowImages(parts_->device, handle, extent)}));
-    });
+    return guarded(
+        [&] {
+            // A VkSurfaceKHR is a pointer on 64-bit machines and a number elsewhere.
+            const auto handle = (VkSurfaceKHR)surface;  // NOLINT
+            const VkExtent2D extent{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
+            return std::make_unique<Swapchain>(std::unique_ptr<Swapchain::Parts>(
+                new Swapchain::Parts{WindowImages(parts_->device, handle, extent)}));
+        },
+        &parts_->deviceLost);
 }
 
 Result<bool> Renderer::present(Swapchain& swapchain)
 {
-    if (!parts_->targets)
+    if (!parts_->lastFrame)
         return failure("There is no picture yet", "Draw a frame first");
-    return guarded([&] { return swapchain.parts().images.show(parts_->targets->colour()); });
+    return guarded([&] { return swapchain.parts().images.show(parts_->targets->colour()); },
+                   &parts_->deviceLost);
 }
 
 Result<std::vector<CapturedVertex>> Renderer::captureVertices(const Frame& frame)
 {
-    return guarded([&] { return parts_->captureVertices(frame); });
+    return guarded([&] { return parts_->captureVertices(frame); }, &parts_->deviceLost);
 }
 
 Result<std::vector<CapturedVertex>> Renderer::evaluate(const std::vector<EvaluationPoint>& points)
 {
-    return guarded([&] { return parts_->evaluate(points); });
+    return guarded([&] { return parts_->evaluate(points); }, &parts_->deviceLost);
 }
 
 Vec3 Renderer::surfaceOrigin(ObjectId object) const

@@ -51,7 +51,7 @@ struct EvaluationPoint {
     ObjectId object{};
     int spanU = 0;
     int spanV = 0;
-    double u = 0;
+    double u = 0;  // local to the span, 0 .. 1
     double v = 0;
 };
 

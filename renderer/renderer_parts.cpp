@@ -21,6 +21,12 @@ double pixelsPerUnit(const Camera& camera, int height)
     return 0.5 * height / (camera.orthographic ? half * camera.distance() : half);
 }
 
+// A counter of two words.
+std::uint64_t wide(const gpu::uint (&words)[2])
+{
+    return words[0] + (std::uint64_t{words[1]} << 32U);
+}
+
 double millisecondsSince(std::chrono::steady_clock::time_point start)
 {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -35,12 +41,19 @@ Renderer::Parts::Parts(std::unique_ptr<Instance> madeInstance, const RendererOpt
       uploader(device),
       counters(device, bindings),
       clock(device),
-      scene(device, bindings, uploader),
+      scene(bindings, uploader),
       culling(device, bindings),
-      controlNet(device, bindings),
-      frameBuffer_(device, sizeof(gpu::FrameRecord), Buffer::Place::device)
+      controlNet(device, bindings)
 {
-    bindings.set(BINDING_FRAME, frameBuffer_);
+    bindings.provide(BINDING_FRAME, frameBuffer_, sizeof(gpu::FrameRecord));
+}
+
+void Renderer::Parts::sync(const Scene& wanted)
+{
+    wanted_ = wanted;
+    sceneIsHeld_ = false;
+    scene.sync(wanted_);
+    sceneIsHeld_ = true;
 }
 
 SurfacePath& Renderer::Parts::pathFor(PathId id)
@@ -55,7 +68,7 @@ SurfacePath& Renderer::Parts::pathFor(PathId id)
     return *path;
 }
 
-void Renderer::Parts::checkSize(const Frame& frame) const
+void Renderer::Parts::checkFrame(const Frame& frame) const
 {
     const auto most = static_cast<int>(std::min(device.limits().maxImageDimension2D, 16384U));
     if (frame.width < 1 || frame.height < 1 || frame.width > most || frame.height > most)
@@ -70,9 +83,14 @@ void Renderer::Parts::fitTargets(const Frame& frame)
     const VkExtent2D extent{static_cast<std::uint32_t>(frame.width),
                             static_cast<std::uint32_t>(frame.height)};
     if (!targets || targets->extent().width != extent.width || targets->extent().height != extent.height) {
+        lastFrame.reset();  // its picture goes
         targets.reset();
         targets = std::make_unique<FrameTargets>(device, extent);
     }
+    if (!(frame.tolerancePx > 0.0 && frame.tolerancePx < 1e6))
+        throw VulkanError({"A tolerance of " + std::to_string(frame.tolerancePx) + " pixels means nothing",
+                           {},
+                           "Choose one above 0, such as 0.5"});
 }
 
 void Renderer::Parts::uploadRecord(const gpu::FrameRecord& record)
@@ -89,7 +107,6 @@ void Renderer::Parts::updateFrameRecord(const Frame& frame, const SurfacePath& p
     gpu::FrameRecord record{};
     record.projection =
         gpu::mat4(frame.camera.projection(static_cast<double>(frame.width) / frame.height, scene.bounds()));
-    record.viewport = {frame.width, frame.height};
     record.pixelsPerUnit = static_cast<float>(pixelsPerUnit(frame.camera, frame.height));
     record.diePx = static_cast<float>(kDiePxPerTolerance * frame.tolerancePx);
     record.fixedDice =
@@ -108,7 +125,7 @@ void Renderer::Parts::updateFrameRecord(const Frame& frame, const SurfacePath& p
 FrameStats Renderer::Parts::draw(const Frame& frame, bool capture)
 {
     const auto started = std::chrono::steady_clock::now();
-    checkSize(frame);
+    checkFrame(frame);
     SurfacePath& path = pathFor(frame.path);
     const SamplingRule sampling =
         frame.sampling.kind == SamplingRule::Kind::pathDefault ? path.defaultSampling() : frame.sampling;
@@ -117,37 +134,55 @@ FrameStats Renderer::Parts::draw(const Frame& frame, bool capture)
             {"The path " + pathInfo(frame.path).name + " cannot sample by the rule " + name(sampling),
              {},
              "Leave the rule out, or use " + name(path.defaultSampling())});
-    fitTargets(frame);
-    scene.updateViews(frame.camera, frame.overlays.highlighted);
-    updateFrameRecord(frame, path, sampling, capture);
-    const bool anything = scene.ksquadCount() > 0;
-    const bool cullFirst = anything && path.takesVisibleList();
-    if (cullFirst)
-        culling.prepare(scene.ksquadCount(), frameRecord_->patchesPerDraw);
-
     VkDeviceSize uploaded = 0;
     double cpuMs = 0;
-    device.execute([&](VkCommandBuffer commands) {
-        uploaded = uploader.flush(commands);
-        counters.clear(commands);
-        clock.start(commands);
-        if (cullFirst)
-            culling.record(commands);
-        targets->begin(commands);
-        bindings.bind(commands, VK_PIPELINE_BIND_POINT_GRAPHICS);
-        if (anything)
-            path.draw(commands, scene.ksquadCount(), {culling.draws(), culling.drawCount()});
-        drawOverlays(commands, frame.overlays);
-        targets->end(commands);
-        clock.stop(commands);
-        counters.fetch(commands);
-        cpuMs = millisecondsSince(started);
-    });
+    try {
+        if (!sceneIsHeld_)
+            sync(Scene(wanted_));
+        fitTargets(frame);
+        scene.updateViews(frame.camera, frame.overlays.highlighted);
+        updateFrameRecord(frame, path, sampling, capture);
+        if (path.takesVisibleList())
+            culling.prepare(scene.ksquadCount(), frameRecord_->patchesPerDraw);
+        device.execute([&](VkCommandBuffer commands) {
+            uploaded = uploader.record(commands);
+            record(commands, frame, path);
+            cpuMs = millisecondsSince(started);
+        });
+        uploader.sent();
+    } catch (...) {
+        // Nobody knows what arrived: the next frame sends everything again.
+        uploader.forgetAll();
+        scene.forget();
+        sceneIsHeld_ = false;
+        frameRecord_.reset();
+        lastFrame.reset();
+        throw;
+    }
     lastFrame = frame;
-
+    lastObjects.clear();
+    for (const GpuScene::Resident& resident : scene.residents())
+        lastObjects.push_back(resident.id);
     FrameStats stats = statsOf(frame, sampling, uploaded);
     stats.cpuMs = {cpuMs, cpuMs, cpuMs};
     return stats;
+}
+
+void Renderer::Parts::record(VkCommandBuffer commands, const Frame& frame, const SurfacePath& path)
+{
+    const bool anything = scene.ksquadCount() > 0;
+    counters.clear(commands);
+    clock.start(commands);
+    if (anything && path.takesVisibleList())
+        culling.record(commands);
+    targets->begin(commands);
+    bindings.bind(commands, VK_PIPELINE_BIND_POINT_GRAPHICS);
+    if (anything)
+        path.draw(commands, scene.ksquadCount(), {culling.draws(), culling.drawCount()});
+    drawOverlays(commands, frame.overlays);
+    targets->end(commands);
+    clock.stop(commands);
+    counters.fetch(commands);
 }
 
 FrameStats Renderer::Parts::statsOf(const Frame& frame, SamplingRule sampling, VkDeviceSize uploaded)
@@ -165,12 +200,12 @@ FrameStats Renderer::Parts::statsOf(const Frame& frame, SamplingRule sampling, V
     const gpu::Counters counted = counters.read();
     stats.ksquadsDrawn = counted.drawn;
     std::copy(std::begin(counted.culled), std::end(counted.culled), stats.ksquadsCulled.begin());
-    stats.ksdice = counted.ksdice;
-    stats.triangles = counted.triangles;
-    stats.evaluations = counted.evaluations;
+    stats.ksdice = wide(counted.ksdice);
+    stats.triangles = wide(counted.triangles);
+    stats.evaluations = wide(counted.evaluations);
     const double gpuMs = clock.milliseconds();
     stats.gpuMs = {gpuMs, gpuMs, gpuMs};
-    if (firstUpload_ == 0)
+    if (scene.takeRebuilt())
         firstUpload_ = uploaded;
     else
         stats.uploadBytesPerFrame = uploaded;
@@ -191,9 +226,11 @@ void Renderer::Parts::drawOverlays(VkCommandBuffer commands, const Overlays& ove
     }
     for (const ControlPointMark& mark : overlays.marks)
         if (const auto* resident = scene.find(mark.object)) {
-            const int point = mark.index.i * resident->object->surface.countV() + mark.index.j;
-            controlNet.drawMark(commands, scene.indexOf(*resident), static_cast<std::uint32_t>(point),
-                                mark.selected);
+            const NurbsSurface& net = resident->object->surface;
+            const auto [i, j] = mark.index;
+            if (i >= 0 && i < net.countU() && j >= 0 && j < net.countV())
+                controlNet.drawMark(commands, scene.indexOf(*resident),
+                                    static_cast<std::uint32_t>(i * net.countV() + j), mark.selected);
         }
 }
 

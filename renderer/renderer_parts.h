@@ -18,6 +18,7 @@ namespace knotspan {
 struct Renderer::Parts {
     Parts(std::unique_ptr<Instance> madeInstance, const RendererOptions& options);
 
+    void sync(const Scene& wanted);
     FrameStats draw(const Frame& frame, bool capture);
     Pick pick(double x, double y, double radiusPx);
     std::vector<CapturedVertex> captureVertices(const Frame& frame);
@@ -35,15 +36,19 @@ struct Renderer::Parts {
     ControlNet controlNet;
     std::map<PathId, std::unique_ptr<SurfacePath>> paths;  // made when first drawn with
     std::unique_ptr<FrameTargets> targets;
+    // The last frame that was drawn whole, and the objects that its indices stand for.
     std::optional<Frame> lastFrame;
+    std::vector<ObjectId> lastObjects;
+    bool deviceLost = false;
 
 private:
     SurfacePath& pathFor(PathId id);
-    void checkSize(const Frame& frame) const;
+    void checkFrame(const Frame& frame) const;
     void fitTargets(const Frame& frame);
     void updateFrameRecord(const Frame& frame, const SurfacePath& path, SamplingRule sampling, bool capture);
     void uploadRecord(const gpu::FrameRecord& record);
     FrameStats statsOf(const Frame& frame, SamplingRule sampling, VkDeviceSize uploaded);
+    void record(VkCommandBuffer commands, const Frame& frame, const SurfacePath& path);
     void drawOverlays(VkCommandBuffer commands, const Overlays& overlays) const;
     [[nodiscard]] std::vector<CapturedVertex> named(const std::vector<gpu::CapturedRecord>& records) const;
     [[nodiscard]] std::optional<PickedControlPoint> nearestControlPoint(const Vec2& pixel,
@@ -53,6 +58,8 @@ private:
     std::optional<gpu::FrameRecord> frameRecord_;  // what the device holds
     Pipeline evaluate_;
     Buffer requests_;
+    Scene wanted_;             // what the last sync() asked for
+    bool sceneIsHeld_ = true;  // the device has it
     std::uint64_t firstUpload_ = 0;
 };
 

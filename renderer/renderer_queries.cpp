@@ -9,16 +9,15 @@ namespace knotspan {
 Pick Renderer::Parts::pick(double x, double y, double radiusPx)
 {
     Pick result;
-    if (!lastFrame || !targets)
+    if (!lastFrame)
         return result;
     result.controlPoint = nearestControlPoint({x, y}, radiusPx);
     if (x < 0 || y < 0 || x >= targets->extent().width || y >= targets->extent().height)
         return result;
     const std::uint32_t surface =
         targets->surfaceAt(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y));
-    // The scene may have been synchronized with fewer objects since that picture.
-    if (surface > 0 && surface <= scene.residents().size())
-        result.object = scene.residents()[surface - 1].id;
+    if (surface > 0 && surface <= lastObjects.size())
+        result.object = lastObjects[surface - 1];
     return result;
 }
 
@@ -29,15 +28,17 @@ std::optional<PickedControlPoint> Renderer::Parts::nearestControlPoint(const Vec
     std::optional<PickedControlPoint> nearest;
     double nearestDistance = radiusPx;
     double nearestDepth = 0;
+    const PixelProjection toPixel(frame.camera, frame.width, frame.height);
+    const Vec3 forward = frame.camera.forward();
     const auto look = [&](const GpuScene::Resident& resident) {
         const NurbsSurface& surface = resident.object->surface;
         for (int i = 0; i < surface.countU(); ++i)
             for (int j = 0; j < surface.countV(); ++j) {
                 const Vec3 point =
                     transformed(surface.controlPoint(i, j).position, resident.object->transform);
-                const auto at = frame.camera.toPixel(point, frame.width, frame.height);
+                const auto at = toPixel(point);
                 const double distance = at ? glm::length(*at - pixel) : radiusPx + 1;
-                const double depth = glm::dot(point - frame.camera.eye, frame.camera.forward());
+                const double depth = glm::dot(point - frame.camera.eye, forward);
                 // Among points that fall on the same pixel, the one in front.
                 const bool same = nearest && std::abs(distance - nearestDistance) < 0.5;
                 if (distance > radiusPx ||
@@ -77,25 +78,31 @@ std::vector<CapturedVertex> Renderer::Parts::evaluate(const std::vector<Evaluati
         return {};
     if (evaluate_.get() == VK_NULL_HANDLE)
         evaluate_ = makeComputePipeline(device, bindings, "evaluate.comp");
+    if (!sceneIsHeld_)
+        sync(Scene(wanted_));
     std::vector<gpu::RequestRecord> requests;
-    for (const EvaluationPoint& point : points)
-        requests.push_back({scene.numberOf({point.object, {point.spanU, point.spanV}}),
-                            {static_cast<float>(point.u), static_cast<float>(point.v)}});
+    for (const EvaluationPoint& point : points) {
+        const auto ksquad = scene.numberOf({point.object, {point.spanU, point.spanV}});
+        if (!ksquad)
+            throw VulkanError(
+                {"There is no such KSQuad on the device", {}, "Ask for one of a visible object"});
+        requests.push_back({*ksquad, {static_cast<float>(point.u), static_cast<float>(point.v)}});
+    }
     const auto count = static_cast<std::uint32_t>(requests.size());
-    requests_ = {};
-    requests_ = Buffer(device, count * sizeof(requests[0]), Buffer::Place::device);
-    bindings.set(BINDING_REQUESTS, requests_);
+    bindings.provide(BINDING_REQUESTS, requests_, requests.size() * sizeof(requests[0]));
     uploader.write(requests_, 0, std::span<const gpu::RequestRecord>(requests));
     counters.reserveCapture(count);
-    gpu::FrameRecord record{};
-    record.captureCapacity = count;
-    uploadRecord(record);
+    gpu::FrameRecord frame{};
+    frame.captureCapacity = count;
+    uploadRecord(frame);
     device.execute([&](VkCommandBuffer commands) {
-        uploader.flush(commands);
+        (void)uploader.record(commands);
+        const GroupCount groups = groupsFor(count, EVALUATE_THREADS);
         bindings.bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE);
         vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, evaluate_.get());
-        vkCmdDispatch(commands, (count + EVALUATE_THREADS - 1) / EVALUATE_THREADS, 1, 1);
+        vkCmdDispatch(commands, groups.x, groups.y, 1);
     });
+    uploader.sent();
     auto vertices = named(counters.readCapture(count));
     counters.reserveCapture(0);
     return vertices;

@@ -1,7 +1,5 @@
 #include "renderer/culling/cull_pass.h"
 
-#include <algorithm>
-
 #include "shaders/shared/layouts.h"
 
 namespace knotspan {
@@ -18,8 +16,7 @@ void computeBarrier(VkCommandBuffer commands)
 }  // namespace
 
 CullPass::CullPass(const Device& device, Bindings& bindings)
-    : device_(device),
-      bindings_(bindings),
+    : bindings_(bindings),
       cull_(makeComputePipeline(device, bindings, "cull.comp")),
       scan_(makeComputePipeline(device, bindings, "cull_scan.comp")),
       compact_(makeComputePipeline(device, bindings, "cull_compact.comp"))
@@ -28,19 +25,12 @@ CullPass::CullPass(const Device& device, Bindings& bindings)
 
 void CullPass::prepare(std::uint32_t ksquads, std::uint32_t patchesPerDraw)
 {
-    const auto require = [this](Buffer& buffer, int binding, VkDeviceSize bytes) {
-        if (buffer.bytes() >= bytes)
-            return;
-        buffer = {};  // first, so that both never live at once
-        buffer = Buffer(device_, bytes, Buffer::Place::device);
-        bindings_.set(binding, buffer);
-    };
     ksquads_ = ksquads;
     drawCount_ = (ksquads + patchesPerDraw - 1) / patchesPerDraw;
     const VkDeviceSize groups = (ksquads + CULL_KSQUADS - 1) / CULL_KSQUADS;
-    require(visible_, BINDING_VISIBLE, std::max<VkDeviceSize>(ksquads, 1) * sizeof(std::uint32_t));
-    require(groups_, BINDING_CULL_GROUPS, std::max<VkDeviceSize>(groups, 1) * 3 * sizeof(std::uint32_t));
-    require(draws_, BINDING_DRAWS, std::max<VkDeviceSize>(drawCount_, 1) * sizeof(gpu::DrawRecord));
+    bindings_.provide(BINDING_VISIBLE, visible_, VkDeviceSize{ksquads} * sizeof(std::uint32_t));
+    bindings_.provide(BINDING_CULL_GROUPS, groups_, groups * 3 * sizeof(std::uint32_t));
+    bindings_.provide(BINDING_DRAWS, draws_, VkDeviceSize{drawCount_} * sizeof(gpu::DrawRecord));
 }
 
 void CullPass::record(VkCommandBuffer commands) const

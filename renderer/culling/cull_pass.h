@@ -20,7 +20,6 @@ public:
     [[nodiscard]] std::uint32_t drawCount() const { return drawCount_; }
 
 private:
-    const Device& device_;
     Bindings& bindings_;
     Pipeline cull_;
     Pipeline scan_;

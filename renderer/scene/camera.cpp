@@ -13,6 +13,8 @@ namespace knotspan {
 
 namespace {
 
+constexpr double kNearest = 1e-4;  // the near plane, of the distance to the target
+
 // A unit vector orthogonal to `forward`, near `wanted` or, where that is along the view, anything.
 Vec3 orthogonalTo(const Vec3& forward, const Vec3& wanted)
 {
@@ -94,18 +96,32 @@ Mat4 Camera::projection(double aspect, const Box& bounds) const
     matrix[0][0] = f / aspect;
     matrix[1][1] = -f;
     matrix[2][3] = -1.0;
-    matrix[3][2] = 1e-4 * std::max(distance(), 1e-30);
+    matrix[3][2] = kNearest * std::max(distance(), 1e-30);
     return matrix;
 }
 
 std::optional<Vec2> Camera::toPixel(const Vec3& point, int width, int height) const
 {
-    const Vec3 view = Vec3(rotation() * Vec4(point - eye, 0.0));
-    const double depth = orthographic ? distance() : -view.z;
-    if (!(depth > 1e-4 * distance()))
+    return PixelProjection(*this, width, height)(point);
+}
+
+PixelProjection::PixelProjection(const Camera& camera, int width, int height)
+    : rotation_(camera.rotation()),
+      eye_(camera.eye),
+      middle_(0.5 * width, 0.5 * height),
+      nearest_(kNearest * camera.distance()),
+      scale_(0.5 * height / std::tan(glm::radians(camera.verticalFovDegrees) * 0.5)),
+      depth_(camera.orthographic ? std::optional(camera.distance()) : std::nullopt)
+{
+}
+
+std::optional<Vec2> PixelProjection::operator()(const Vec3& point) const
+{
+    const Vec3 view = Vec3(rotation_ * Vec4(point - eye_, 0.0));
+    const double depth = depth_.value_or(-view.z);
+    if (!(depth > nearest_))
         return std::nullopt;
-    const double pixelsPerUnit = 0.5 * height / std::tan(glm::radians(verticalFovDegrees) * 0.5) / depth;
-    return Vec2(0.5 * width + view.x * pixelsPerUnit, 0.5 * height - view.y * pixelsPerUnit);
+    return middle_ + Vec2(view.x, -view.y) * (scale_ / depth);
 }
 
 void Camera::orbit(double yawRadians, double pitchRadians)
@@ -133,6 +149,10 @@ void Camera::pan(double rightUnits, double upUnits)
 
 void Camera::zoomAt(double factor, const Vec2& cursorFromCentre)
 {
+    // As close as double can still tell the eye from the target.
+    const double closest = 1e-9 * std::max(glm::length(target), 1e-20);
+    if (!(distance() * factor > closest))
+        return;
     const Vec3 cursor = target + right() * cursorFromCentre.x + upward() * cursorFromCentre.y;
     eye = cursor + (eye - cursor) * factor;
     target = cursor + (target - cursor) * factor;

@@ -12,8 +12,8 @@ namespace knotspan {
 
 struct Camera {
     Vec3 eye{0, 0, 10};
-    Vec3 target{0, 0, 0};
-    Vec3 up{0, 1, 0};  // any direction that is not along the view
+    Vec3 target{0, 0, 0};  // another point than the eye
+    Vec3 up{0, 1, 0};      // any direction that is not along the view
     bool orthographic = false;
     double verticalFovDegrees =
         35;  // orthographic: the height of the view is that of this angle at the target
@@ -43,6 +43,23 @@ struct Camera {
     void pan(double rightUnits, double upUnits);
     void zoomAt(double factor,
                 const Vec2& cursorFromCentre);  // factor < 1 comes closer; cursor in units at the target
+};
+
+// Where points of model space fall, in pixels from the upper left corner of the picture.
+class PixelProjection {
+public:
+    PixelProjection(const Camera& camera, int width, int height);
+
+    // Nothing where the point is not in front of the eye.
+    [[nodiscard]] std::optional<Vec2> operator()(const Vec3& point) const;
+
+private:
+    Mat4 rotation_;
+    Vec3 eye_;
+    Vec2 middle_;
+    double nearest_;
+    double scale_;                 // pixels per unit at depth 1
+    std::optional<double> depth_;  // orthographic: the depth that counts for all points
 };
 
 // The named views, in the order of the list: "iso", "front", "back", "left", "right", "top", "bottom".

@@ -50,12 +50,7 @@ gpu::SurfaceView viewOf(const GpuScene::Resident& resident, const Camera& camera
 
 }  // namespace
 
-GpuScene::GpuScene(const Device& device, Bindings& bindings, Uploader& uploader)
-    : device_(device),
-      bindings_(bindings),
-      uploader_(uploader)
-{
-}
+GpuScene::GpuScene(Bindings& bindings, Uploader& uploader) : bindings_(bindings), uploader_(uploader) {}
 
 void GpuScene::sync(const Scene& scene)
 {
@@ -80,81 +75,80 @@ void GpuScene::sync(const Scene& scene)
     bounds_ = scene.bounds();
 }
 
-void GpuScene::rebuild(const std::vector<std::pair<ObjectId, SharedObject>>& visible)
+GpuScene::Packed GpuScene::pack(const std::vector<std::pair<ObjectId, SharedObject>>& visible)
 {
-    uploader_.discard();
-    residents_.clear();
-    views_.clear();
-    std::vector<gpu::SurfaceRecord> surfaces;
-    std::vector<gpu::KsQuadRecord> ksquads;
-    std::vector<float> spanKnots;
-    std::vector<gpu::vec4> points;
+    Packed packed;
     for (const auto& [id, object] : visible) {
-        const auto surfaceIndex = static_cast<std::uint32_t>(residents_.size());
-        const auto firstPoint = static_cast<std::uint32_t>(points.size());
-        const auto firstKnot = static_cast<std::uint32_t>(spanKnots.size());
-        residents_.push_back({id, object, PointFrame::of(object->surface), firstPoint,
-                              static_cast<std::uint32_t>(ksquads.size())});
-        const PointFrame& frame = residents_.back().frame;
-        PatchTable table = makePatchTable(object->surface);
+        const auto surface = static_cast<std::uint32_t>(packed.residents.size());
+        const auto firstPoint = static_cast<std::uint32_t>(packed.points.size());
+        const auto firstKnot = static_cast<std::uint32_t>(packed.spanKnots.size());
+        const PointFrame frame = PointFrame::of(object->surface);
+        packed.residents.push_back(
+            {id, object, frame, firstPoint, static_cast<std::uint32_t>(packed.ksquads.size())});
+        const PatchTable table = makePatchTable(object->surface);
         for (gpu::KsQuadRecord record : table.ksquads) {
-            record.surface = surfaceIndex;
+            record.surface = surface;
             record.firstPoint += firstPoint;
             record.spanU += firstKnot;
             record.spanV += firstKnot;
-            ksquads.push_back(record);
+            packed.ksquads.push_back(record);
         }
-        spanKnots.insert(spanKnots.end(), table.spanKnots.begin(), table.spanKnots.end());
-        const auto packed = packPoints(frame, object->surface.controlPoints());
-        points.insert(points.end(), packed.begin(), packed.end());
-        surfaces.push_back(makeSurfaceRecord(*object, frame, firstPoint));
+        packed.spanKnots.insert(packed.spanKnots.end(), table.spanKnots.begin(), table.spanKnots.end());
+        const auto points = packPoints(frame, object->surface.controlPoints());
+        packed.points.insert(packed.points.end(), points.begin(), points.end());
+        packed.surfaces.push_back(makeSurfaceRecord(*object, frame, firstPoint));
     }
-    ksquadCount_ = static_cast<std::uint32_t>(ksquads.size());
+    return packed;
+}
 
-    require(surfaces_, BINDING_SURFACES, surfaces.size() * sizeof(surfaces[0]));
-    require(surfaceViews_, BINDING_SURFACE_VIEWS, surfaces.size() * sizeof(gpu::SurfaceView));
-    require(ksquads_, BINDING_KSQUADS, ksquads.size() * sizeof(ksquads[0]));
-    require(spanKnots_, BINDING_SPAN_KNOTS, spanKnots.size() * sizeof(spanKnots[0]));
-    require(controlPoints_, BINDING_CONTROL_POINTS, points.size() * sizeof(points[0]));
-    uploader_.write(surfaces_, 0, all(surfaces));
-    uploader_.write(ksquads_, 0, all(ksquads));
-    uploader_.write(spanKnots_, 0, all(spanKnots));
-    uploader_.write(controlPoints_, 0, all(points));
+void GpuScene::rebuild(const std::vector<std::pair<ObjectId, SharedObject>>& visible)
+{
+    Packed packed = pack(visible);
+    // Where the device refuses, nothing is left that looks as if it were there.
+    residents_.clear();
+    views_.clear();
+    ksquadCount_ = 0;
+    provide(surfaceViews_, BINDING_SURFACE_VIEWS, packed.surfaces.size() * sizeof(gpu::SurfaceView));
+    send(surfaces_, BINDING_SURFACES, packed.surfaces);
+    send(ksquads_, BINDING_KSQUADS, packed.ksquads);
+    send(spanKnots_, BINDING_SPAN_KNOTS, packed.spanKnots);
+    send(controlPoints_, BINDING_CONTROL_POINTS, packed.points);
+    residents_ = std::move(packed.residents);
+    ksquadCount_ = static_cast<std::uint32_t>(packed.ksquads.size());
+    rebuilt_ = true;
 }
 
 void GpuScene::replace(Resident& resident, SharedObject object)
 {
     const auto& before = resident.object->surface.controlPoints();
     const auto& after = object->surface.controlPoints();
-    auto first = static_cast<size_t>(std::mismatch(before.begin(), before.end(), after.begin()).first -
-                                     before.begin());
-    auto last = before.size();  // one past the last that differs
-    while (last > first && before[last - 1] == after[last - 1])
-        --last;
-    if (first < last && !fits(resident.frame, object->surface)) {
-        resident.frame = PointFrame::of(object->surface);
-        first = 0;
-        last = after.size();
-    }
-
     const auto held = makeSurfaceRecord(*resident.object, resident.frame, resident.firstPoint);
+    if (before != after && !fits(resident.frame, object->surface)) {
+        resident.frame = PointFrame::of(object->surface);
+        const auto packed = packPoints(resident.frame, after);
+        uploader_.write(controlPoints_, resident.firstPoint, all(packed));
+    } else {
+        // Runs of changed points: a row that was pulled along v costs its points, not all between them.
+        for (size_t first = 0; first < after.size();) {
+            size_t end = first;
+            while (end < after.size() && !(before[end] == after[end]))
+                ++end;
+            const auto packed = packPoints(resident.frame, std::span(after).subspan(first, end - first));
+            uploader_.write(controlPoints_, resident.firstPoint + first, all(packed));
+            first = end + 1;
+        }
+    }
     const auto wanted = makeSurfaceRecord(*object, resident.frame, resident.firstPoint);
     if (std::memcmp(&held, &wanted, sizeof(held)) != 0)
         uploader_.write(surfaces_, indexOf(resident), std::span(&wanted, 1));
-    // Runs of changed points: a row that was pulled in v costs its points, not all between them.
-    while (first < last) {
-        size_t end = first;
-        while (end < last && !(before[end] == after[end]))
-            ++end;
-        if (end == first)
-            ++end;  // only where everything is packed anew
-        const auto packed = packPoints(resident.frame, std::span(after).subspan(first, end - first));
-        uploader_.write(controlPoints_, resident.firstPoint + first, all(packed));
-        first = end;
-        while (first < last && before[first] == after[first])
-            ++first;
-    }
     resident.object = std::move(object);
+}
+
+void GpuScene::forget()
+{
+    residents_.clear();
+    views_.clear();
+    ksquadCount_ = 0;
 }
 
 void GpuScene::updateViews(const Camera& camera, const std::vector<ObjectId>& highlighted)
@@ -195,31 +189,33 @@ GpuScene::KsQuadName GpuScene::nameOf(std::uint32_t ksquad) const
     return {resident.id, {spansU[local / spansV.size()], spansV[local % spansV.size()]}};
 }
 
-std::uint32_t GpuScene::numberOf(const KsQuadName& name) const
+std::optional<std::uint32_t> GpuScene::numberOf(const KsQuadName& name) const
 {
     const Resident* resident = find(name.object);
-    check(resident != nullptr, "the object is on the device");
+    if (resident == nullptr)
+        return std::nullopt;
     const auto& spansU = resident->object->surface.knotsU().spans();
     const auto& spansV = resident->object->surface.knotsV().spans();
-    const auto a = std::lower_bound(spansU.begin(), spansU.end(), name.ksquad.spanU) - spansU.begin();
-    const auto b = std::lower_bound(spansV.begin(), spansV.end(), name.ksquad.spanV) - spansV.begin();
+    const auto u = std::lower_bound(spansU.begin(), spansU.end(), name.ksquad.spanU);
+    const auto v = std::lower_bound(spansV.begin(), spansV.end(), name.ksquad.spanV);
+    if (u == spansU.end() || *u != name.ksquad.spanU || v == spansV.end() || *v != name.ksquad.spanV)
+        return std::nullopt;
     return resident->firstKsquad +
-           static_cast<std::uint32_t>(static_cast<size_t>(a) * spansV.size() + static_cast<size_t>(b));
+           static_cast<std::uint32_t>(static_cast<size_t>(u - spansU.begin()) * spansV.size() +
+                                      static_cast<size_t>(v - spansV.begin()));
 }
 
-void GpuScene::require(Buffer& buffer, int binding, VkDeviceSize bytes)
+void GpuScene::provide(Buffer& buffer, int binding, VkDeviceSize bytes)
 {
-    if (bytes > device_.limits().maxStorageBufferRange)
-        throw VulkanError({"The model needs a buffer of " + std::to_string(bytes >> 20U) + " MB and " +
-                               device_.name() + " takes at most " +
-                               std::to_string(device_.limits().maxStorageBufferRange >> 20U),
-                           {},
-                           "Hide or remove some objects, or choose another device with --device"});
-    if (buffer.bytes() >= bytes && buffer.bytes() > 0 && buffer.bytes() / 4 <= bytes)
-        return;
-    buffer = {};  // first, so that both never live at once
-    buffer = Buffer(device_, std::max<VkDeviceSize>(bytes, 256), Buffer::Place::device);
-    bindings_.set(binding, buffer);
+    uploader_.forget(buffer);
+    bindings_.provide(binding, buffer, bytes);
+}
+
+template <class T>
+void GpuScene::send(Buffer& buffer, int binding, const std::vector<T>& elements)
+{
+    provide(buffer, binding, elements.size() * sizeof(T));
+    uploader_.write(buffer, 0, all(elements));
 }
 
 }  // namespace knotspan

@@ -1,8 +1,12 @@
-// The scene on the device. sync() compares pointers: an equal one is an unchanged object, and of a changed
-// one only the control points that differ travel, unless its net or knots are of another shape.
+// The scene on the device. sync() compares pointers: an equal one is an unchanged object, and of one whose
+// net and knots have the same shape only the control points that differ travel. Objects that come, go, hide
+// or get another shape have the whole scene packed anew.
 #pragma once
 
 #include "model/scene/scene.h"
+#include <optional>
+#include <utility>
+
 #include "renderer/scene/camera.h"
 #include "renderer/scene/patch_table.h"
 #include "renderer/vulkan/pipeline.h"
@@ -11,10 +15,14 @@ namespace knotspan {
 
 class GpuScene {
 public:
-    GpuScene(const Device& device, Bindings& bindings, Uploader& uploader);
+    GpuScene(Bindings& bindings, Uploader& uploader);
 
-    // Refuses, with a sentence, what exceeds the device's buffers.
+    // Refuses, with a sentence, what exceeds the device's buffers; nothing is held then.
     void sync(const Scene& scene);
+    // What was written may not have arrived: the next sync() sends everything.
+    void forget();
+    // Whether everything was packed anew since the last call.
+    [[nodiscard]] bool takeRebuilt() { return std::exchange(rebuilt_, false); }
 
     // Matrices of all surfaces for a camera, made in double; uploaded where they differ from the last ones.
     void updateViews(const Camera& camera, const std::vector<ObjectId>& highlighted);
@@ -43,18 +51,30 @@ public:
         KsQuad ksquad;
     };
     [[nodiscard]] KsQuadName nameOf(std::uint32_t ksquad) const;
-    [[nodiscard]] std::uint32_t numberOf(const KsQuadName& name) const;  // it exists
+    [[nodiscard]] std::optional<std::uint32_t>
+    numberOf(const KsQuadName& name) const;  // nothing: no such one
 
 private:
+    // A whole scene, ready to be sent.
+    struct Packed {
+        std::vector<Resident> residents;
+        std::vector<gpu::SurfaceRecord> surfaces;
+        std::vector<gpu::KsQuadRecord> ksquads;
+        std::vector<float> spanKnots;
+        std::vector<gpu::vec4> points;
+    };
+    [[nodiscard]] static Packed pack(const std::vector<std::pair<ObjectId, SharedObject>>& visible);
     void rebuild(const std::vector<std::pair<ObjectId, SharedObject>>& visible);
     void replace(Resident& resident, SharedObject object);
-    void require(Buffer& buffer, int binding, VkDeviceSize bytes);
+    void provide(Buffer& buffer, int binding, VkDeviceSize bytes);
+    template <class T>
+    void send(Buffer& buffer, int binding, const std::vector<T>& elements);
 
-    const Device& device_;
     Bindings& bindings_;
     Uploader& uploader_;
     std::vector<Resident> residents_;
     std::uint32_t ksquadCount_ = 0;
+    bool rebuilt_ = false;
     Box bounds_;
     std::vector<gpu::SurfaceView> views_;
     Buffer surfaces_;

@@ -12,10 +12,10 @@ namespace knotspan {
 
 namespace {
 
-// Spans beside an almost empty one are longer than float's square root allows to multiply; t cannot tell.
+// Beyond 1e30 spans the share of the neighbour is less than float can tell from nothing.
 float normalised(double difference, double length)
 {
-    return static_cast<float>(std::min(difference / length, 1e18));
+    return static_cast<float>(std::min(difference / length, 1e30));
 }
 
 // Where each span of a direction starts in the packed knots, in the order of KnotVector::spans().
@@ -79,7 +79,8 @@ PointFrame PointFrame::of(const NurbsSurface& surface)
 
 gpu::vec4 PointFrame::pack(const ControlPoint& point) const
 {
-    const double scaled = point.weight / weight;
+    // Not zero: a point of no weight that shapes a KSQuad alone would be nowhere.
+    const double scaled = std::max(point.weight / weight, 1e-30);
     return gpu::vec4(Vec4((point.position - origin) * scaled, scaled));
 }
 

@@ -6,8 +6,10 @@ namespace knotspan {
 
 GpuClock::GpuClock(const Device& device) : device_(device)
 {
-    if (device.limits().timestampComputeAndGraphics == VK_FALSE)
+    const std::uint32_t bits = device.timestampBits();
+    if (bits == 0)
         return;
+    mask_ = bits >= 64 ? ~0ULL : (1ULL << bits) - 1;
     VkQueryPoolCreateInfo info{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
     info.queryType = VK_QUERY_TYPE_TIMESTAMP;
     info.queryCount = 2;
@@ -39,7 +41,7 @@ double GpuClock::milliseconds() const
     vkCheck(vkGetQueryPoolResults(device_.get(), queries_.get(), 0, 2, sizeof(ticks), ticks.data(),
                                   sizeof(std::uint64_t), VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
             "reading the clock");
-    return static_cast<double>(ticks[1] - ticks[0]) * millisecondsPerTick_;
+    return static_cast<double>((ticks[1] - ticks[0]) & mask_) * millisecondsPerTick_;
 }
 
 }  // namespace knotspan

@@ -18,6 +18,7 @@ private:
     const Device& device_;
     QueryPool queries_;
     double millisecondsPerTick_ = 0;
+    std::uint64_t mask_ = 0;  // of the bits that the device counts with
 };
 
 }  // namespace knotspan

@@ -8,10 +8,10 @@ namespace knotspan {
 GpuCounters::GpuCounters(const Device& device, Bindings& bindings)
     : device_(device),
       bindings_(bindings),
-      counters_(device, sizeof(gpu::Counters), Buffer::Place::device),
+
       readBack_(device, sizeof(gpu::Counters), Buffer::Place::readBack)
 {
-    bindings.set(BINDING_COUNTERS, counters_);
+    bindings.provide(BINDING_COUNTERS, counters_, sizeof(gpu::Counters));
     reserveCapture(0);
 }
 
@@ -42,11 +42,9 @@ gpu::Counters GpuCounters::read() const
 
 void GpuCounters::reserveCapture(std::uint32_t vertices)
 {
+    capacity_ = 0;
+    bindings_.provide(BINDING_CAPTURED, captured_, VkDeviceSize{vertices} * sizeof(gpu::CapturedRecord));
     capacity_ = vertices;
-    captured_ = {};
-    captured_ = Buffer(device_, std::max<VkDeviceSize>(vertices, 1) * sizeof(gpu::CapturedRecord),
-                       Buffer::Place::device);
-    bindings_.set(BINDING_CAPTURED, captured_);
 }
 
 std::vector<gpu::CapturedRecord> GpuCounters::readCapture(std::uint32_t count) const

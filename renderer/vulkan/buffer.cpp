@@ -8,8 +8,18 @@
 
 namespace knotspan {
 
-Buffer::Buffer(const Device& device, VkDeviceSize bytes, Place place) : device_(&device), bytes_(bytes)
+namespace {
+
+constexpr VkDeviceSize kOrdinaryFrame = 1 << 16;  // bytes of staging to begin with
+constexpr VkDeviceSize kMostKept = 1 << 24;       // what a large model needed is given back
+
+}  // namespace
+
+// Through the empty buffer, so that the destructor cleans up where something here fails.
+Buffer::Buffer(const Device& device, VkDeviceSize bytes, Place place) : Buffer()
 {
+    device_ = &device;
+    bytes_ = bytes;
     VkBufferCreateInfo info{VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO};
     info.size = bytes;
     info.usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
@@ -28,10 +38,7 @@ Buffer::Buffer(const Device& device, VkDeviceSize bytes, Place place) : device_(
     VkMemoryAllocateInfo allocate{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO};
     allocate.allocationSize = requirements.size;
     allocate.memoryTypeIndex = device.memoryType(requirements.memoryTypeBits, required, preferred);
-    const VkResult result = vkAllocateMemory(device.get(), &allocate, nullptr, &memory_);
-    if (result != VK_SUCCESS)
-        vkDestroyBuffer(device.get(), std::exchange(buffer_, VK_NULL_HANDLE), nullptr);
-    vkCheck(result, "reserving memory");
+    vkCheck(vkAllocateMemory(device.get(), &allocate, nullptr, &memory_), "reserving memory");
     allocated_ = requirements.size;
     device.allocatedBytes += allocated_;
     vkCheck(vkBindBufferMemory(device.get(), buffer_, memory_, 0), "reserving memory");
@@ -72,27 +79,58 @@ void Uploader::write(const Buffer& target, VkDeviceSize offset, std::span<const 
     if (bytes.empty())
         return;
     check(offset + bytes.size() <= target.bytes(), "an upload lies inside its buffer");
-    copies_.push_back({target.get(), {pending_.size(), offset, bytes.size()}});
+    const bool overlaps = std::any_of(copies_.begin(), copies_.end(), [&](const Copy& earlier) {
+        return earlier.target == target.get() && earlier.region.dstOffset < offset + bytes.size() &&
+               offset < earlier.region.dstOffset + earlier.region.size;
+    });
+    copies_.push_back({target.get(), {pending_.size(), offset, bytes.size()}, overlaps});
     pending_.insert(pending_.end(), bytes.begin(), bytes.end());
 }
 
-VkDeviceSize Uploader::flush(VkCommandBuffer commands)
+void Uploader::forget(const Buffer& target)
 {
-    const VkDeviceSize bytes = pending_.size();
-    if (bytes == 0)
+    std::erase_if(copies_, [&](const Copy& copy) { return copy.target == target.get(); });
+    if (copies_.empty())
+        pending_.clear();
+}
+
+void Uploader::forgetAll()
+{
+    copies_.clear();
+    pending_.clear();
+}
+
+VkDeviceSize Uploader::record(VkCommandBuffer commands)
+{
+    if (copies_.empty())
         return 0;
-    if (staging_.bytes() < bytes) {
+    if (staging_.bytes() < pending_.size()) {
         staging_ = {};  // first, so that both never live at once
-        staging_ = Buffer(device_, std::max<VkDeviceSize>(bytes, 1 << 16), Buffer::Place::upload);
+        staging_ =
+            Buffer(device_, std::max<VkDeviceSize>(pending_.size(), kOrdinaryFrame), Buffer::Place::upload);
     }
-    std::memcpy(staging_.mapped(), pending_.data(), bytes);
-    for (const Copy& copy : copies_)
+    std::memcpy(staging_.mapped(), pending_.data(), pending_.size());
+    VkDeviceSize bytes = 0;
+    for (const Copy& copy : copies_) {
+        if (copy.overlapsEarlier)
+            memoryBarrier(commands, VK_PIPELINE_STAGE_2_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
+                          VK_PIPELINE_STAGE_2_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT);
         vkCmdCopyBuffer(commands, staging_.get(), copy.target, 1, &copy.region);
+        bytes += copy.region.size;
+    }
     memoryBarrier(commands, VK_PIPELINE_STAGE_2_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
                   VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
                   VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_TRANSFER_WRITE_BIT);
-    discard();
     return bytes;
+}
+
+void Uploader::sent()
+{
+    forgetAll();
+    if (pending_.capacity() > kMostKept)
+        pending_.shrink_to_fit();
+    if (staging_.bytes() > kMostKept)
+        staging_ = {};
 }
 
 }  // namespace knotspan

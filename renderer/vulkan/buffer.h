@@ -38,6 +38,7 @@ class Uploader {
 public:
     explicit Uploader(const Device& device) : device_(device) {}
 
+    // Later writes win over earlier ones to the same bytes.
     void write(const Buffer& target, VkDeviceSize offset, std::span<const std::byte> bytes);
     template <class T>
     void write(const Buffer& target, VkDeviceSize firstElement, std::span<const T> elements)
@@ -45,17 +46,20 @@ public:
         write(target, firstElement * sizeof(T), std::as_bytes(elements));
     }
 
-    // Records the copies and a barrier after them. The command buffer must be done before the next flush.
-    // Returns the bytes that travel.
-    VkDeviceSize flush(VkCommandBuffer commands);
+    // Forgets the writes to a buffer whose whole content is about to be written, or that is about to go.
+    void forget(const Buffer& target);
+    void forgetAll();
 
-    // Forgets writes to a buffer that is about to go.
-    void discard() { copies_.clear(), pending_.clear(); }
+    // Records the copies and a barrier after them. Returns the bytes that travel.
+    [[nodiscard]] VkDeviceSize record(VkCommandBuffer commands);
+    // Those commands are done: what they sent is forgotten, and room beyond the ordinary given back.
+    void sent();
 
 private:
     struct Copy {
         VkBuffer target;
         VkBufferCopy region;
+        bool overlapsEarlier;
     };
 
     const Device& device_;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "model/core/check.h"
+#include "shaders/shared/bindings.h"
 
 namespace knotspan {
 
@@ -50,15 +50,21 @@ bool hasExtension(VkPhysicalDevice device, const char* name)
     });
 }
 
-// One queue does everything: graphics and compute.
-std::uint32_t findQueueFamily(VkPhysicalDevice device)
+std::vector<VkQueueFamilyProperties> queueFamilies(VkPhysicalDevice device)
 {
     std::uint32_t count = 0;
     vkGetPhysicalDeviceQueueFamilyProperties(device, &count, nullptr);
     std::vector<VkQueueFamilyProperties> families(count);
     vkGetPhysicalDeviceQueueFamilyProperties(device, &count, families.data());
+    return families;
+}
+
+// One queue does everything: graphics and compute.
+std::uint32_t findQueueFamily(VkPhysicalDevice device)
+{
+    const auto families = queueFamilies(device);
     constexpr VkQueueFlags kNeeded = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
-    for (std::uint32_t family = 0; family < count; ++family)
+    for (std::uint32_t family = 0; family < families.size(); ++family)
         if ((families[family].queueFlags & kNeeded) == kNeeded)
             return family;
     throw VulkanError({"The graphics device cannot draw", {}, "Choose another device with --device"});
@@ -66,9 +72,10 @@ std::uint32_t findQueueFamily(VkPhysicalDevice device)
 
 }  // namespace
 
-Device::Device(const Instance& instance, std::optional<int> index)
-    : physical_(choose(instance.devices(), index))
+// Through the empty device, so that the destructor cleans up where something here fails.
+Device::Device(const Instance& instance, std::optional<int> index) : Device()
 {
+    physical_ = choose(instance.devices(), index);
     vkGetPhysicalDeviceProperties(physical_, &properties_);
     vkGetPhysicalDeviceMemoryProperties(physical_, &memory_);
     name_ = properties_.deviceName;
@@ -94,6 +101,8 @@ Device::Device(const Instance& instance, std::optional<int> index)
 
 Device::~Device()
 {
+    if (device_ == VK_NULL_HANDLE)
+        return;
     vkDeviceWaitIdle(device_);
     done_ = {};
     commandPool_ = {};
@@ -103,11 +112,19 @@ Device::~Device()
 void Device::findAbilities()
 {
     VkPhysicalDeviceMeshShaderFeaturesEXT mesh{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MESH_SHADER_FEATURES_EXT};
+    VkPhysicalDeviceVulkan12Features features12{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES};
     VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2};
+    features.pNext = &features12;
     const bool meshExtension = hasExtension(physical_, VK_EXT_MESH_SHADER_EXTENSION_NAME);
     if (meshExtension)
-        features.pNext = &mesh;
+        features12.pNext = &mesh;
     vkGetPhysicalDeviceFeatures2(physical_, &features);
+    // Every desktop driver has these, though Vulkan 1.3 does not promise them.
+    if (features12.scalarBlockLayout == VK_FALSE || features.features.independentBlend == VK_FALSE ||
+        properties_.limits.maxPerStageDescriptorStorageBuffers < BINDING_COUNT)
+        throw VulkanError({"The graphics device " + name_ + " lacks what Knotspan draws with",
+                           {},
+                           "Choose another device with --device, or update its driver"});
 
     if (!meshExtension || mesh.taskShader == VK_FALSE || mesh.meshShader == VK_FALSE)
         abilities_.noMeshStages =
@@ -149,7 +166,7 @@ void Device::createLogicalDevice()
     vkGetPhysicalDeviceFeatures(physical_, &present);
     features.features.multiDrawIndirect = present.multiDrawIndirect;
     features.features.largePoints = present.largePoints;
-    features.features.independentBlend = present.independentBlend;
+    features.features.independentBlend = VK_TRUE;
 
     std::vector<const char*> extensions;
     if (mesh)
@@ -173,6 +190,11 @@ void Device::createLogicalDevice()
         reinterpret_cast<PFN_vkCmdDrawMeshTasksEXT>(vkGetDeviceProcAddr(device_, "vkCmdDrawMeshTasksEXT"));
 }
 
+std::uint32_t Device::timestampBits() const
+{
+    return queueFamilies(physical_)[queueFamily_].timestampValidBits;
+}
+
 std::uint32_t Device::memoryType(std::uint32_t allowed, VkMemoryPropertyFlags required,
                                  VkMemoryPropertyFlags preferred) const
 {
@@ -191,7 +213,12 @@ void Device::execute(const std::function<void(VkCommandBuffer)>& record, VkSemap
     VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
     begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
     vkCheck(vkBeginCommandBuffer(commands_, &begin), "starting to record");
-    record(commands_);
+    try {
+        record(commands_);
+    } catch (...) {
+        vkResetCommandBuffer(commands_, 0);
+        throw;
+    }
     vkCheck(vkEndCommandBuffer(commands_), "recording");
 
     VkCommandBufferSubmitInfo commands{VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO};

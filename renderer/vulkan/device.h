@@ -31,6 +31,7 @@ public:
     [[nodiscard]] VkPhysicalDevice physical() const { return physical_; }
     [[nodiscard]] VkQueue queue() const { return queue_; }
     [[nodiscard]] std::uint32_t queueFamily() const { return queueFamily_; }
+    [[nodiscard]] std::uint32_t timestampBits() const;  // 0: the queue has no clock
     [[nodiscard]] const VkPhysicalDeviceLimits& limits() const { return properties_.limits; }
     [[nodiscard]] const std::string& name() const { return name_; }
     [[nodiscard]] const DeviceAbilities& abilities() const { return abilities_; }
@@ -48,6 +49,7 @@ public:
                  VkSemaphore signal = VK_NULL_HANDLE) const;
 
 private:
+    Device() = default;
     void findAbilities();
     void createLogicalDevice();
 

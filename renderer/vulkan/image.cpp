@@ -4,12 +4,14 @@
 
 namespace knotspan {
 
+// Through the empty image, so that the destructor cleans up where something here fails.
 Image::Image(const Device& device, VkFormat format, VkExtent2D extent, VkImageUsageFlags usage,
              VkImageAspectFlags aspect)
-    : device_(&device),
-      extent_(extent),
-      aspect_(aspect)
+    : Image()
 {
+    device_ = &device;
+    extent_ = extent;
+    aspect_ = aspect;
     VkImageCreateInfo info{VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO};
     info.imageType = VK_IMAGE_TYPE_2D;
     info.format = format;
@@ -26,10 +28,7 @@ Image::Image(const Device& device, VkFormat format, VkExtent2D extent, VkImageUs
     allocate.allocationSize = requirements.size;
     allocate.memoryTypeIndex =
         device.memoryType(requirements.memoryTypeBits, 0, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
-    const VkResult result = vkAllocateMemory(device.get(), &allocate, nullptr, &memory_);
-    if (result != VK_SUCCESS)
-        vkDestroyImage(device.get(), std::exchange(image_, VK_NULL_HANDLE), nullptr);
-    vkCheck(result, "reserving memory for an image");
+    vkCheck(vkAllocateMemory(device.get(), &allocate, nullptr, &memory_), "reserving memory for an image");
     allocated_ = requirements.size;
     device.allocatedBytes += allocated_;
     vkCheck(vkBindImageMemory(device.get(), image_, memory_, 0), "reserving memory for an image");

@@ -56,9 +56,10 @@ Instance::Instance(Validation validation)
 
     std::vector<const char*> extensions = availableOf(
         {"VK_KHR_surface", "VK_KHR_xcb_surface", "VK_KHR_xlib_surface", "VK_KHR_wayland_surface"});
-    canShowWindows_ = extensions.size() > 1;
-    if (installed)
+    if (installed) {
         extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+        extensions.push_back(VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME);
+    }
 
     const VkValidationFeatureEnableEXT synchronization =
         VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT;
@@ -86,9 +87,10 @@ Instance::Instance(Validation validation)
         info.enabledLayerCount = 1;
         info.ppEnabledLayerNames = &kValidationLayer;
     }
-    // A loader without a single driver fails here.
-    if (vkCreateInstance(&info, nullptr, &instance_) != VK_SUCCESS)
+    const VkResult result = vkCreateInstance(&info, nullptr, &instance_);
+    if (result == VK_ERROR_INCOMPATIBLE_DRIVER)  // what a loader without a single driver says
         throw VulkanError(noDeviceError());
+    vkCheck(result, "starting Vulkan");
 
     if (installed) {
         messenger.pNext = nullptr;

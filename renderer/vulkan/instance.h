@@ -20,7 +20,7 @@ public:
     Instance& operator=(const Instance&) = delete;
 
     [[nodiscard]] VkInstance get() const { return instance_; }
-    [[nodiscard]] bool canShowWindows() const { return canShowWindows_; }
+
     [[nodiscard]] std::vector<std::string> messages() const;
 
     // The physical devices that speak Vulkan 1.3, in the loader's order.
@@ -33,7 +33,7 @@ private:
 
     VkInstance instance_ = VK_NULL_HANDLE;
     VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
-    bool canShowWindows_ = false;
+
     mutable std::mutex mutex_;
     std::vector<std::string> messages_;
 };

@@ -165,6 +165,24 @@ void Bindings::set(int binding, const Buffer& buffer)
     vkUpdateDescriptorSets(device_.get(), 1, &write, 0, nullptr);
 }
 
+void Bindings::provide(int binding, Buffer& buffer, VkDeviceSize bytes)
+{
+    const VkDeviceSize most = device_.limits().maxStorageBufferRange;
+    if (bytes > most)
+        throw VulkanError({"The model needs a buffer of " + std::to_string(bytes >> 20U) + " MB and " +
+                               device_.name() + " takes at most " + std::to_string(most >> 20U) + " MB",
+                           {},
+                           "Hide or remove some objects, or choose another device with --device"});
+    constexpr VkDeviceSize kLeast = 256;
+    const VkDeviceSize wanted = std::max(bytes, kLeast);
+    if (buffer.bytes() >= wanted && buffer.bytes() / 4 <= wanted)
+        return;
+    set(binding, placeholder_);
+    buffer = {};  // first, so that both never live at once
+    buffer = Buffer(device_, wanted, Buffer::Place::device);
+    set(binding, buffer);
+}
+
 void Bindings::bind(VkCommandBuffer commands, VkPipelineBindPoint point) const
 {
     vkCmdBindDescriptorSets(commands, point, pipelineLayout_.get(), 0, 1, &set_, 0, nullptr);

@@ -15,14 +15,16 @@ class Bindings {
 public:
     explicit Bindings(const Device& device);
 
-    // Takes effect at the next use of the set; no frame may be in flight.
-    void set(int binding, const Buffer& buffer);
+    // Binds the buffer, made anew where it is smaller than `bytes` or four times larger. Refuses, with a
+    // sentence, what the device cannot bind; the binding then has no content. No frame may be in flight.
+    void provide(int binding, Buffer& buffer, VkDeviceSize bytes);
     void bind(VkCommandBuffer commands, VkPipelineBindPoint point) const;
     void push(VkCommandBuffer commands, const void* data, std::uint32_t bytes) const;
     [[nodiscard]] VkPipelineLayout layout() const { return pipelineLayout_.get(); }
 
 private:
     void allocateSet();
+    void set(int binding, const Buffer& buffer);
 
     const Device& device_;
     DescriptorSetLayout setLayout_;

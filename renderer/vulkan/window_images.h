@@ -17,8 +17,11 @@ public:
     [[nodiscard]] bool show(Image& picture);
 
 private:
+    void makeSwapchain(VkSurfaceKHR surface, const VkSurfaceCapabilitiesKHR& abilities);
+    void copyFrom(Image& picture, VkCommandBuffer commands, VkImage target) const;
+
     const Device& device_;
-    VkSwapchainKHR swapchain_ = VK_NULL_HANDLE;
+    DeviceHandle<VkSwapchainKHR, vkDestroySwapchainKHR> swapchain_;
     VkExtent2D extent_{};
     std::vector<VkImage> images_;
     Semaphore acquired_;

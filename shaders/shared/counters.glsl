@@ -7,11 +7,18 @@
 layout(set = 0, binding = BINDING_COUNTERS, scalar) buffer CounterBuffer { Counters counters; };
 layout(set = 0, binding = BINDING_CAPTURED, scalar) writeonly buffer CapturedBuffer { CapturedRecord captured[]; };
 
+#define KNOTSPAN_COUNT(counter, amount)                                                                             \
+    {                                                                                                              \
+        uint before = atomicAdd(counter[0], amount);                                                               \
+        if (before + amount < before)                                                                              \
+            atomicAdd(counter[1], 1u);                                                                             \
+    }
+
 void countDice(uint dice, uint triangles, uint evaluations)
 {
-    atomicAdd(counters.ksdice, dice);
-    atomicAdd(counters.triangles, triangles);
-    atomicAdd(counters.evaluations, evaluations);
+    KNOTSPAN_COUNT(counters.ksdice, dice)
+    KNOTSPAN_COUNT(counters.triangles, triangles)
+    KNOTSPAN_COUNT(counters.evaluations, evaluations)
 }
 
 void captureVertex(uint ksquad, vec2 t, vec3 position, vec3 normal)

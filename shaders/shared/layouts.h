@@ -16,7 +16,6 @@ namespace knotspan::gpu {
 // What all stages know of the picture. Lengths on screen are pixels.
 struct FrameRecord {
     mat4 projection;  // eye-relative view space to clip space, reversed depth
-    vec2 viewport;
     float pixelsPerUnit;  // of a unit at distance 1 (perspective) or anywhere (orthographic)
     float diePx;          // area rule: the longest edge of a KSDie
     uint fixedDice;       // fixed rule: KSDice along each side; 0: the area rule
@@ -55,14 +54,14 @@ struct KsQuadRecord {
     uint spanV;
 };
 
-// What the stages count. Cleared before each frame.
+// What the stages count. Cleared before each frame. Pairs are the low and high words of a number beyond 32 bits.
 struct Counters {
     uint culled[KNOTSPAN_CULL_MODE_COUNT];
     uint drawn;
-    uint ksdice;
-    uint triangles;
-    uint evaluations;
     uint captured;
+    uint ksdice[2];
+    uint triangles[2];
+    uint evaluations[2];
 };
 
 // A vertex as a stage computed it, and a request for one.
@@ -97,7 +96,7 @@ struct OverlayConstants {
 #define NO_MARK 0xffffffffu
 
 #ifdef __cplusplus
-static_assert(sizeof(FrameRecord) == 112 && sizeof(SurfaceRecord) == 76 && sizeof(SurfaceView) == 72);
+static_assert(sizeof(FrameRecord) == 104 && sizeof(SurfaceRecord) == 76 && sizeof(SurfaceView) == 72);
 static_assert(sizeof(KsQuadRecord) == 16 && sizeof(CapturedRecord) == 36 && sizeof(RequestRecord) == 12);
 static_assert(sizeof(DrawRecord) == 16 && sizeof(OverlayConstants) == 36);
 }  // namespace knotspan::gpu

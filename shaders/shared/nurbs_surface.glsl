@@ -45,14 +45,6 @@ SurfaceSample KNOTSPAN_OF_REAL contractNet(KNOTSPAN_SOURCE uint firstPoint, uint
     return result;
 }
 
-// Whether S_u x S_v says nothing about the normal: a tangent vanishes (a pole) or both point the same way.
-KNOTSPAN_TEMPLATE
-bool isDegenerate(KNOTSPAN_VEC3 du, KNOTSPAN_VEC3 dv)
-{
-    KNOTSPAN_VEC3 n = cross(du, dv);
-    return !(dot(n, n) > Real(1e-9) * dot(du, du) * dot(dv, dv)) || !(dot(n, n) > Real(0));
-}
-
 #ifdef __cplusplus
 }  // namespace knotspan::gpu
 #endif

@@ -46,37 +46,44 @@ vec3 positionOf(KsQuadRecord ksquad, vec2 t)
     return sum.xyz / sum.w;
 }
 
-// A vertex: position and unit normal. Where the tangents say nothing, the normal is that of a point a little further
-// inside the KSQuad. One loop, so that the evaluation stands in a stage once: drivers compile it for long.
-struct SurfaceVertex {
-    vec3 position;
-    vec3 normal;
-};
+float largest(vec3 v) { return max(max(abs(v.x), abs(v.y)), abs(v.z)); }
 
-vec3 unitNormal(vec3 du, vec3 dv)
+// The direction of v whatever its length: squares of very small or large numbers would leave float. Zero for zero.
+vec3 directionOf(vec3 v)
 {
-    vec3 n = cross(du, dv);
-    float squared = dot(n, n);
-    // Tangents of extreme length over- or underflow in the product: scale them first.
-    if (!(squared > 1e-30 && squared < 1e30))
-        n = cross(du / max(length(du), 1e-37), dv / max(length(dv), 1e-37));
-    float len = length(n);
-    return len > 0.0 ? n / len : vec3(0.0, 0.0, 1.0);
+    float scale = largest(v);
+    return scale > 0.0 ? normalize(v / scale) : vec3(0.0);
 }
 
+struct SurfaceVertex {
+    vec3 position;
+    vec3 normal;  // unit
+};
+
+// Where the tangents tell no normal (one is zero or all rounding error, as at a pole, or both point the same way), it
+// is that of the nearest point a little further inside the KSQuad whose tangents do. One loop, so that the
+// evaluation stands in a stage once: the software driver compiles it for seconds.
 SurfaceVertex vertexOf(KsQuadRecord ksquad, vec2 t)
 {
+    const float kRounding = 1e-6;
     SurfaceVertex vertex;
+    vertex.normal = vec3(0.0);
     float inwards = 0.0;
     for (int attempt = 0; attempt < 5; ++attempt) {
         SurfaceSample at = sampleKsQuad(ksquad, mix(t, vec2(0.5), inwards));
         if (attempt == 0)
             vertex.position = at.position;
-        vertex.normal = unitNormal(at.du, at.dv);
-        if (!isDegenerate(at.du, at.dv))
+        vec3 n = cross(directionOf(at.du), directionOf(at.dv));
+        float rounding = kRounding * largest(at.position);
+        bool tells = min(largest(at.du), largest(at.dv)) > rounding && dot(n, n) > 1e-9;
+        if (tells || vertex.normal == vec3(0.0))
+            vertex.normal = directionOf(n);
+        if (tells)
             break;
         inwards = max(8.0 * inwards, 0.0009765625);
     }
+    if (vertex.normal == vec3(0.0))
+        vertex.normal = vec3(0.0, 0.0, 1.0);
     return vertex;
 }
 
@@ -87,8 +94,7 @@ vec3 normalToView(uint surface, vec3 normal)
 {
     mat4x3 m = surfaceViews[surface].modelView;
     mat3 cofactors = mat3(cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1]));
-    vec3 n = cofactors * normal;
-    return n / max(length(n), 1e-37);
+    return directionOf(cofactors * normal);
 }
 
 vec4 toClip(vec3 viewPosition) { return frame.projection * vec4(viewPosition, 1.0); }

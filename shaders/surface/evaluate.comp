@@ -11,7 +11,8 @@ layout(set = 0, binding = BINDING_REQUESTS, scalar) readonly buffer RequestBuffe
 
 void main()
 {
-    uint index = gl_GlobalInvocationID.x;
+    uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
+    uint index = group * EVALUATE_THREADS + gl_LocalInvocationID.x;
     if (index >= frame.captureCapacity)
         return;
     RequestRecord request = requests[index];

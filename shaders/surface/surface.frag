@@ -59,7 +59,7 @@ void main()
 
     vec3 colour;
     if (frame.shading == SHADING_NORMALS) {
-        colour = pow(0.5 + 0.5 * n, vec3(2.2));
+        colour = pow(max(0.5 + 0.5 * n, 0.0), vec3(2.2));
     } else {
         vec3 albedo = frame.shading == SHADING_KSQUADS ? ksquadColour(inKsquad) : surfaces[surface].colour;
         // The inside of a surface is a little darker and warmer, so that its orientation shows.

@@ -24,6 +24,22 @@ float pixelsBetween(vec3 a, vec3 b)
     return edge / nearest * frame.pixelsPerUnit;
 }
 
+// Whether the whole KSQuad lies behind the eye: its control points do (weights are positive, so it lies in their hull).
+bool isBehindTheEye(KsQuadRecord ksquad)
+{
+    if ((frame.flags & FRAME_ORTHOGRAPHIC) != 0u)
+        return false;
+    uint columns = surfaces[ksquad.surface].degreeV + 1u;
+    uint points = (surfaces[ksquad.surface].degreeU + 1u) * columns;
+    for (uint k = 0u; k < points; ++k) {
+        uint row = k / columns;
+        vec4 point = controlPoint(ksquad.firstPoint + row * surfaces[ksquad.surface].stride + k % columns);
+        if (toView(ksquad.surface, point.xyz / point.w).z < 0.0)
+            return false;
+    }
+    return true;
+}
+
 float diceAlong(vec3 a, vec3 b)
 {
     if (frame.fixedDice != 0u)
@@ -36,6 +52,12 @@ void main()
     uint index = inKsquad[0];
     outKsquad[gl_InvocationID] = index;
     KsQuadRecord ksquad = ksquads[index];
+    if (isBehindTheEye(ksquad)) {
+        gl_TessLevelOuter = float[4](0.0, 0.0, 0.0, 0.0);  // drops the patch
+        gl_TessLevelInner = float[2](0.0, 0.0);
+        return;
+    }
+
     vec3 corners[4];  // (0,0), (1,0), (0,1), (1,1)
     for (int k = 0; k < 4; ++k)
         corners[k] = toView(ksquad.surface, positionOf(ksquad, vec2(k & 1, k >> 1)));

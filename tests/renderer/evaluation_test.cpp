@@ -7,6 +7,7 @@
 
 #include "model/geometry/evaluation.h"
 #include "model/geometry/ksquad.h"
+#include "model/samples/sample_list.h"
 #include "tests/random_surface.h"
 #include "tests/renderer/render_support.h"
 
@@ -126,6 +127,35 @@ TEST_P(Evaluation, OfTheComputeStageIsWithinSixteenUnitsOfTheReference)
         ASSERT_EQ(vertices->size(), points.size());
         expectAccurate(worstOf(*renderer, scene, *vertices), "compute", GetParam());
     }
+}
+
+// Rounding must not choose the normal where a tangent vanishes, at no size of the body and nowhere in space.
+TEST(PoleNormals, AreThoseOfTheSphereAtEverySizeAndPlace)
+{
+    KNOTSPAN_NEED_RENDERER(renderer);
+    const SharedObject unitSphere = findSample("sphere")->make().objects().begin()->second;
+    for (const double size : {1e-9, 1.0, 1e12})
+        for (const Vec3& centre : {Vec3(0.0), Vec3(1e5, -2e5, 3e5)}) {
+            std::vector<ControlPoint> points = unitSphere->surface.controlPoints();
+            for (ControlPoint& point : points)
+                point.position = (point.position + centre) * size;
+            const Scene scene = sceneOf(
+                NurbsSurface::create(unitSphere->surface.knotsU(), unitSphere->surface.knotsV(), points)
+                    .value());
+            ASSERT_TRUE(renderer->sync(scene));
+            const auto vertices = renderer->captureVertices(frameOf(scene, renderer->bestPath(), 64, 48));
+            ASSERT_TRUE(vertices);
+            size_t poles = 0;
+            for (const CapturedVertex& vertex : *vertices) {
+                const Vec3 origin = renderer->surfaceOrigin(vertex.object);
+                const Vec3 outward = (vertex.position + origin) / size - centre;
+                const bool pole = std::abs(outward.z) > 0.999999;
+                poles += pole ? 1 : 0;
+                EXPECT_LT(glm::length(outward - vertex.normal), pole ? 2e-3 : 1e-5)
+                    << size << ", pole " << pole;
+            }
+            EXPECT_GT(poles, 10U);
+        }
 }
 
 INSTANTIATE_TEST_SUITE_P(Degree, Evaluation, ::testing::Range(1, 10));

@@ -1,6 +1,8 @@
 #include "model/samples/sample_list.h"
 #include "tests/renderer/render_support.h"
 
+#include <algorithm>
+
 #include <nlohmann/json.hpp>
 
 namespace knotspan::testing {
@@ -52,20 +54,59 @@ TEST(RendererBorder, DrawsASmallerToleranceWithMoreTriangles)
     }
 }
 
-// The counted triangles are those that the tessellator made: equal vertices close every triangle of the
-// pattern.
-TEST(RendererBorder, CountsTheVerticesThatTheTessellatorMakes)
+// Counted from the levels, checked against the vertices that the tessellator really made: a quad with V
+// vertices, B of them on its border, has 2V - B - 2 triangles (Euler).
+TEST(RendererBorder, CountsWhatTheTessellatorMakes)
 {
     KNOTSPAN_NEED_RENDERER(renderer);
     KNOTSPAN_NEED_PATH(*renderer, PathId::tessellation);
+    for (const char* sample : {"hull", "torus", "extremes"}) {
+        const Scene scene = findSample(sample)->make();
+        const Frame frame = frameOf(scene, PathId::tessellation);
+        const FrameStats stats = drawn(*renderer, scene, frame).stats;
+        const auto vertices = renderer->captureVertices(frame);
+        ASSERT_TRUE(vertices);
+        EXPECT_EQ(vertices->size(), stats.evaluations) << sample;
+        const auto border =
+            std::count_if(vertices->begin(), vertices->end(), [](const CapturedVertex& vertex) {
+                return vertex.u == 0 || vertex.u == 1 || vertex.v == 0 || vertex.v == 1;
+            });
+        EXPECT_EQ(stats.triangles,
+                  2 * vertices->size() - static_cast<size_t>(border) - 2 * stats.ksquadsDrawn)
+            << sample;
+    }
+}
+
+TEST(RendererBorder, RefusesToEvaluateWhatIsNotThere)
+{
+    KNOTSPAN_NEED_RENDERER(renderer);
+    ASSERT_TRUE(renderer->sync(findSample("torus")->make()));
+    EXPECT_FALSE(renderer->evaluate({{ObjectId{77}, 2, 2, 0.5, 0.5}}));
+    EXPECT_FALSE(renderer->evaluate({{ObjectId{0}, 0, 2, 0.5, 0.5}}));
+    EXPECT_TRUE(renderer->evaluate({{ObjectId{0}, 2, 2, 0.5, 0.5}}));
+}
+
+TEST(RendererBorder, LeavesOutMarksOutsideTheNet)
+{
+    KNOTSPAN_NEED_RENDERER(renderer);
     const Scene scene = findSample("hull")->make();
-    const Frame frame = frameOf(scene, PathId::tessellation);
-    ASSERT_TRUE(renderer->sync(scene));
-    const auto stats = renderer->draw(frame);
-    ASSERT_TRUE(stats);
-    const auto vertices = renderer->captureVertices(frame);
-    ASSERT_TRUE(vertices);
-    EXPECT_EQ(vertices->size(), stats->evaluations);
+    Frame frame = frameOf(scene, renderer->bestPath());
+    const Picture bare = drawn(*renderer, scene, frame).picture;
+    frame.overlays.marks = {{scene.objects().begin()->first, {-1, 0}, true},
+                            {scene.objects().begin()->first, {0, 100000}, true},
+                            {ObjectId{999}, {0, 0}, true}};
+    EXPECT_EQ(bare.rgba, drawn(*renderer, scene, frame).picture.rgba);
+}
+
+// From inside a body most of it is behind the eye and asks for nothing.
+TEST(RendererBorder, SpendsNothingOnWhatLiesBehindTheEye)
+{
+    KNOTSPAN_NEED_RENDERER(renderer);
+    KNOTSPAN_NEED_PATH(*renderer, PathId::tessellation);
+    const Scene scene = findSample("torus")->make();
+    Frame frame = frameOf(scene, PathId::tessellation);
+    frame.camera.target = frame.camera.eye + (frame.camera.eye - frame.camera.target);
+    EXPECT_EQ(drawn(*renderer, scene, frame).stats.triangles, 0U);
 }
 
 TEST(Stats, NameEveryFieldOfTheContract)

@@ -84,6 +84,56 @@ TEST_F(Sync, PacksAnObjectAnewThatMovedFarAway)
     EXPECT_EQ(moved.rgba, drawn(*renderer, scene, frame).picture.rgba);
 }
 
+// One point far outside: all others must follow to the new origin, and the corners that culling looks at too.
+TEST_F(Sync, PacksAnObjectAnewWhoseOnePointWasPulledFarAway)
+{
+    scene = findSample("single-100")->make();
+    frame.camera = frameOf(scene, frame.path).camera;
+    frame.culling = parseCullSet("surface").value();
+    SetUpScene();
+    const double size = scene.bounds().diagonal();
+    moveControlPoint(scene.objects().begin()->first, {5, 5}, {0, 0, 10 * size});
+    const Picture pulled = drawn(*renderer, scene, frame).picture;
+    ASSERT_TRUE(renderer->sync(Scene()));
+    const Difference difference = compare(pulled, drawn(*renderer, scene, frame).picture);
+    EXPECT_EQ(difference.silhouetteOff, 0U);
+    EXPECT_LT(difference.meanShaded, 0.02);
+}
+
+TEST_F(Sync, DrawsTheLaterOfTwoChangesThatCameBeforeAFrame)
+{
+    SetUpScene();
+    const ObjectId id = scene.objects().begin()->first;
+    moveControlPoint(id, {1, 1}, {0, 0, 0.5});
+    ASSERT_TRUE(renderer->sync(scene));
+    moveControlPoint(id, {1, 1}, {0.2, 0, 0.2});
+    const Picture twice = drawn(*renderer, scene, frame).picture;
+    ASSERT_TRUE(renderer->sync(Scene()));
+    EXPECT_LT(compare(twice, drawn(*renderer, scene, frame).picture).meanShaded, 0.02);
+}
+
+TEST_F(Sync, PicksTheObjectThatThePictureShowsThoughAnotherIsGoneSince)
+{
+    SetUpScene();
+    const ObjectId last = scene.objects().rbegin()->first;
+    const Vec3 middle = scene.find(last)->bounds().centre();
+    const Vec2 at = frame.camera.toPixel(middle, frame.width, frame.height).value();
+    ASSERT_EQ(renderer->pick(at.x, at.y)->object, last);
+    scene.exchange(scene.objects().begin()->first, nullptr);
+    ASSERT_TRUE(renderer->sync(scene));
+    EXPECT_EQ(renderer->pick(at.x, at.y)->object, last);
+}
+
+TEST_F(Sync, SendsTheSceneAgainAfterAFrameThatWasRefused)
+{
+    SetUpScene();
+    const Picture before = drawn(*renderer, scene, frame).picture;
+    Frame wrong = frame;
+    wrong.tolerancePx = 0;
+    EXPECT_FALSE(renderer->draw(wrong));
+    EXPECT_EQ(before.rgba, drawn(*renderer, scene, frame).picture.rgba);
+}
+
 TEST_F(Sync, LeavesHiddenObjectsOut)
 {
     SceneObject hidden = *scene.objects().begin()->second;

@@ -8,8 +8,10 @@ namespace {
 TEST(ValidationLayer, HasNoMessageInARenderOfAnyPath)
 {
     const auto made = Renderer::create({.device = {}, .validation = true});
-    if (!made)
+    if (!made &&
+        (made.error().what.find("layer is not installed") != std::string::npos || !Renderer::create()))
         GTEST_SKIP() << made.error().sentence();
+    ASSERT_TRUE(made) << made.error().sentence();
     Renderer& renderer = **made;
     const Scene scene = findSample("hull")->make();
     for (const PathInfo& path : paths()) {
@@ -34,6 +36,18 @@ TEST(ValidationLayer, HasNoMessageInARenderOfAnyPath)
         renderer.evaluate({{id, surface.knotsU().spans()[0], surface.knotsV().spans()[0], 0.5, 0.5}}));
     EXPECT_EQ(renderer.validationMessages(), std::vector<std::string>());
 }
+
+// Whatever the other tests of this program did with the shared renderer was right as well.
+class NoMessages : public ::testing::Environment {
+public:
+    void TearDown() override
+    {
+        if (const Renderer* renderer = sharedRenderer()) {
+            EXPECT_EQ(renderer->validationMessages(), std::vector<std::string>());
+        }
+    }
+};
+[[maybe_unused]] const auto* const kNoMessages = ::testing::AddGlobalTestEnvironment(new NoMessages);
 
 }  // namespace
 }  // namespace knotspan::testing
