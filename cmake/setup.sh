@@ -6,7 +6,7 @@
 packages_to_build=(
     g++ cmake ninja-build pkg-config ccache
     qt6-base-dev libvulkan-dev glslc libglm-dev
-    libocct-foundation-dev libocct-modeling-algorithms-dev libocct-data-exchange-dev libtbb-dev
+    libocct-foundation-dev libocct-modeling-algorithms-dev libocct-data-exchange-dev libtbb-dev libfontconfig-dev
     nlohmann-json3-dev libcli11-dev libexpected-dev
 )
 packages_to_run=(qt6-qpa-plugins qt6-wayland mesa-vulkan-drivers)

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <utility>
 
 #include "model/core/check.h"
 
@@ -15,63 +14,38 @@ constexpr VkDeviceSize kMostKept = 1 << 24;       // what a large model needed i
 
 }  // namespace
 
-// Through the empty buffer, so that the destructor cleans up where something here fails.
-Buffer::Buffer(const Device& device, VkDeviceSize bytes, Place place) : Buffer()
+Buffer::Buffer(const Device& device, VkDeviceSize bytes, Place place) : bytes_(bytes)
 {
-    device_ = &device;
-    bytes_ = bytes;
     VkBufferCreateInfo info{VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO};
     info.size = bytes;
     info.usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
     if (place == Place::device)
         info.usage |= VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT;
-    vkCheck(vkCreateBuffer(device.get(), &info, nullptr, &buffer_), "making a buffer");
+    VkBuffer buffer = VK_NULL_HANDLE;
+    vkCheck(vkCreateBuffer(device.get(), &info, nullptr, &buffer), "making a buffer");
+    buffer_ = {device.get(), buffer};
 
     VkMemoryRequirements requirements;
-    vkGetBufferMemoryRequirements(device.get(), buffer_, &requirements);
+    vkGetBufferMemoryRequirements(device.get(), buffer, &requirements);
     constexpr VkMemoryPropertyFlags kHost =
         VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
-    const VkMemoryPropertyFlags required = place == Place::device ? 0 : kHost;
-    const VkMemoryPropertyFlags preferred = place == Place::device     ? VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT
-                                            : place == Place::readBack ? VK_MEMORY_PROPERTY_HOST_CACHED_BIT
-                                                                       : 0;
-    VkMemoryAllocateInfo allocate{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO};
-    allocate.allocationSize = requirements.size;
-    allocate.memoryTypeIndex = device.memoryType(requirements.memoryTypeBits, required, preferred);
-    vkCheck(vkAllocateMemory(device.get(), &allocate, nullptr, &memory_), "reserving memory");
-    allocated_ = requirements.size;
-    device.allocatedBytes += allocated_;
-    vkCheck(vkBindBufferMemory(device.get(), buffer_, memory_, 0), "reserving memory");
+    switch (place) {
+    case Place::device:
+        memory_ = {device, requirements, 0, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT};
+        break;
+    case Place::upload:
+        memory_ = {device, requirements, kHost, 0};
+        break;
+    case Place::readBack:
+        memory_ = {device, requirements, kHost, VK_MEMORY_PROPERTY_HOST_CACHED_BIT};
+        break;
+    }
+    vkCheck(vkBindBufferMemory(device.get(), buffer, memory_.get(), 0), "reserving memory");
     if (place != Place::device) {
         void* mapped = nullptr;
-        vkCheck(vkMapMemory(device.get(), memory_, 0, VK_WHOLE_SIZE, 0, &mapped), "reserving memory");
+        vkCheck(vkMapMemory(device.get(), memory_.get(), 0, VK_WHOLE_SIZE, 0, &mapped), "reserving memory");
         mapped_ = static_cast<std::byte*>(mapped);
     }
-}
-
-Buffer::Buffer(Buffer&& other) noexcept
-{
-    *this = std::move(other);
-}
-
-Buffer& Buffer::operator=(Buffer&& other) noexcept
-{
-    std::swap(device_, other.device_);
-    std::swap(buffer_, other.buffer_);
-    std::swap(memory_, other.memory_);
-    std::swap(bytes_, other.bytes_);
-    std::swap(allocated_, other.allocated_);
-    std::swap(mapped_, other.mapped_);
-    return *this;
-}
-
-Buffer::~Buffer()
-{
-    if (device_ == nullptr)
-        return;
-    vkDestroyBuffer(device_->get(), buffer_, nullptr);
-    vkFreeMemory(device_->get(), memory_, nullptr);
-    device_->allocatedBytes -= allocated_;
 }
 
 void Uploader::write(const Buffer& target, VkDeviceSize offset, std::span<const std::byte> bytes)

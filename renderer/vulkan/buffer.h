@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "renderer/vulkan/device.h"
+#include "renderer/vulkan/device_memory.h"
 
 namespace knotspan {
 
@@ -16,20 +16,15 @@ public:
     Buffer() = default;
     // Device buffers are storage, indirect and transfer buffers at once. `bytes` above 0.
     Buffer(const Device& device, VkDeviceSize bytes, Place place);
-    Buffer(Buffer&& other) noexcept;
-    Buffer& operator=(Buffer&& other) noexcept;
-    ~Buffer();
 
-    [[nodiscard]] VkBuffer get() const { return buffer_; }
+    [[nodiscard]] VkBuffer get() const { return buffer_.get(); }
     [[nodiscard]] VkDeviceSize bytes() const { return bytes_; }
     [[nodiscard]] std::byte* mapped() const { return mapped_; }  // null for Place::device
 
 private:
-    const Device* device_ = nullptr;
-    VkBuffer buffer_ = VK_NULL_HANDLE;
-    VkDeviceMemory memory_ = VK_NULL_HANDLE;
+    DeviceMemory memory_;  // outlives the buffer in it
+    DeviceHandle<VkBuffer, vkDestroyBuffer> buffer_;
     VkDeviceSize bytes_ = 0;
-    VkDeviceSize allocated_ = 0;
     std::byte* mapped_ = nullptr;
 };
 

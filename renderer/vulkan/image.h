@@ -1,7 +1,7 @@
 // An image of the renderer's own to draw into, with its view.
 #pragma once
 
-#include "renderer/vulkan/device.h"
+#include "renderer/vulkan/device_memory.h"
 
 namespace knotspan {
 
@@ -10,11 +10,8 @@ public:
     Image() = default;
     Image(const Device& device, VkFormat format, VkExtent2D extent, VkImageUsageFlags usage,
           VkImageAspectFlags aspect);
-    Image(Image&& other) noexcept;
-    Image& operator=(Image&& other) noexcept;
-    ~Image();
 
-    [[nodiscard]] VkImage get() const { return image_; }
+    [[nodiscard]] VkImage get() const { return image_.get(); }
     [[nodiscard]] VkImageView view() const { return view_.get(); }
     [[nodiscard]] VkExtent2D extent() const { return extent_; }
 
@@ -25,14 +22,12 @@ public:
                     bool fresh = false);
 
 private:
-    const Device* device_ = nullptr;
-    VkImage image_ = VK_NULL_HANDLE;
-    VkDeviceMemory memory_ = VK_NULL_HANDLE;
-    VkDeviceSize allocated_ = 0;
+    DeviceMemory memory_;  // outlives the image in it
+    DeviceHandle<VkImage, vkDestroyImage> image_;
+    ImageView view_;
     VkExtent2D extent_{};
     VkImageAspectFlags aspect_ = 0;
     VkImageLayout layout_ = VK_IMAGE_LAYOUT_UNDEFINED;
-    ImageView view_;
 };
 
 // The barrier that transition() records, for images that are not ours (a swapchain's).

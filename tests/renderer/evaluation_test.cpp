@@ -34,9 +34,9 @@ struct Worst {
     size_t points = 0;
 };
 
-Worst worstOf(const Renderer& renderer, const Scene& scene, const std::vector<CapturedVertex>& vertices)
+void look(Worst& worst, const Renderer& renderer, const Scene& scene,
+          const std::vector<CapturedVertex>& vertices)
 {
-    Worst worst;
     for (const CapturedVertex& vertex : vertices) {
         const NurbsSurface& surface = scene.find(vertex.object)->surface;
         const Vec3 origin = renderer.surfaceOrigin(vertex.object);
@@ -56,7 +56,6 @@ Worst worstOf(const Renderer& renderer, const Scene& scene, const std::vector<Ca
         worst.normal =
             std::max(worst.normal, glm::length(evaluateNormal(surface, u, v).direction - vertex.normal));
     }
-    return worst;
 }
 
 // One surface of every kind for a degree; the origin of `offset` must not be felt.
@@ -80,33 +79,38 @@ void expectAccurate(const Worst& worst, const char* stage, int degree)
     EXPECT_GT(worst.points, 100U);
     EXPECT_LE(worst.units, kMostUnits) << stage << ", degree " << degree;
     EXPECT_LE(worst.normal, 1e-3) << stage << ", degree " << degree;
+    ::testing::Test::RecordProperty("units", std::to_string(worst.units));
 }
 
 TEST_P(Evaluation, OfTheMeshStageIsWithinSixteenUnitsOfTheReference)
 {
     KNOTSPAN_NEED_RENDERER(renderer);
     KNOTSPAN_NEED_PATH(*renderer, PathId::mesh9x9);
+    Worst worst;
     for (const Scene& scene : scenesOfDegree(GetParam())) {
         ASSERT_TRUE(renderer->sync(scene));
         const auto vertices = renderer->captureVertices(frameOf(scene, PathId::mesh9x9, 64, 48));
         ASSERT_TRUE(vertices) << vertices.error().sentence();
         EXPECT_EQ(vertices->size(), scene.ksQuadCount() * 81);
-        expectAccurate(worstOf(*renderer, scene, *vertices), "mesh", GetParam());
+        look(worst, *renderer, scene, *vertices);
     }
+    expectAccurate(worst, "mesh", GetParam());
 }
 
 TEST_P(Evaluation, OfTheEvaluationStageIsWithinSixteenUnitsOfTheReference)
 {
     KNOTSPAN_NEED_RENDERER(renderer);
     KNOTSPAN_NEED_PATH(*renderer, PathId::tessellation);
+    Worst worst;
     for (const Scene& scene : scenesOfDegree(GetParam())) {
         ASSERT_TRUE(renderer->sync(scene));
         Frame frame = frameOf(scene, PathId::tessellation, 64, 48);
         frame.sampling = {SamplingRule::Kind::fixed, 5};
         const auto vertices = renderer->captureVertices(frame);
         ASSERT_TRUE(vertices) << vertices.error().sentence();
-        expectAccurate(worstOf(*renderer, scene, *vertices), "evaluation", GetParam());
+        look(worst, *renderer, scene, *vertices);
     }
+    expectAccurate(worst, "evaluation", GetParam());
 }
 
 TEST_P(Evaluation, OfTheComputeStageIsWithinSixteenUnitsOfTheReference)
@@ -115,6 +119,7 @@ TEST_P(Evaluation, OfTheComputeStageIsWithinSixteenUnitsOfTheReference)
     std::mt19937 random(7);
     // Floats, so that the device and the reference see the same parameter.
     std::uniform_real_distribution<float> unit(0.0F, 1.0F);
+    Worst worst;
     for (const Scene& scene : scenesOfDegree(GetParam())) {
         ASSERT_TRUE(renderer->sync(scene));
         const auto& [id, object] = *scene.objects().begin();
@@ -125,8 +130,9 @@ TEST_P(Evaluation, OfTheComputeStageIsWithinSixteenUnitsOfTheReference)
         const auto vertices = renderer->evaluate(points);
         ASSERT_TRUE(vertices) << vertices.error().sentence();
         ASSERT_EQ(vertices->size(), points.size());
-        expectAccurate(worstOf(*renderer, scene, *vertices), "compute", GetParam());
+        look(worst, *renderer, scene, *vertices);
     }
+    expectAccurate(worst, "compute", GetParam());
 }
 
 // Rounding must not choose the normal where a tangent vanishes, at no size of the body and nowhere in space.
