@@ -1,9 +1,12 @@
 #include "app/arguments.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <optional>
+
+#include "model/formats/format_list.h"
 
 namespace knotspan::app {
 
@@ -24,6 +27,15 @@ std::string shortText(double number)
     char text[32];
     std::snprintf(text, sizeof text, "%g", number);
     return text;
+}
+
+std::vector<std::string> writableExtensions()
+{
+    std::vector<std::string> extensions;
+    for (const formats::Format& format : formats::all())
+        if (format.write != nullptr)
+            extensions.insert(extensions.end(), format.extensions.begin(), format.extensions.end());
+    return extensions;
 }
 
 }  // namespace
@@ -93,6 +105,16 @@ std::string joined(const std::vector<std::string>& texts, const std::string& sep
     for (const std::string& text : texts)
         result += (result.empty() ? "" : separator) + text;
     return result;
+}
+
+void checkWritable(const std::string& option, const std::filesystem::path& path)
+{
+    const formats::Format* format = formats::find(path);
+    if (format != nullptr && format->write != nullptr)
+        return;
+    throw CLI::ValidationError(option, "'" + path.string() +
+                                           "' has no format that can be written; known are " +
+                                           joined(writableExtensions(), ", "));
 }
 
 }  // namespace knotspan::app

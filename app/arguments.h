@@ -1,6 +1,7 @@
 // From the texts of the command line to values. What cannot be one is a CLI::ValidationError, so exit code 2.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,9 @@ struct PixelSize {
 // Says that `text` is none of `names`.
 [[noreturn]] void refuseName(const std::string& option, const std::string& text,
                              const std::vector<std::string>& names);
+
+// A file to be written must have the extension of a format that can be.
+void checkWritable(const std::string& option, const std::filesystem::path& path);
 
 [[nodiscard]] std::string joined(const std::vector<std::string>& texts, const std::string& separator);
 

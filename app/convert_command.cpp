@@ -26,25 +26,6 @@ struct Job {
     fs::path output;
 };
 
-std::vector<std::string> writableExtensions()
-{
-    std::vector<std::string> extensions;
-    for (const formats::Format& format : formats::all())
-        if (format.write != nullptr)
-            extensions.insert(extensions.end(), format.extensions.begin(), format.extensions.end());
-    return extensions;
-}
-
-void checkWritable(const std::string& option, const fs::path& path)
-{
-    const formats::Format* format = formats::find(path);
-    if (format != nullptr && format->write != nullptr)
-        return;
-    throw CLI::ValidationError(option, "'" + path.string() +
-                                           "' has no format that can be written; known are " +
-                                           joined(writableExtensions(), ", "));
-}
-
 std::vector<Job> jobsOf(const Options& options)
 {
     if (options.to.empty() != options.folder.empty())

@@ -6,6 +6,7 @@
 
 #include "app/commands.h"
 #include "app/output.h"
+#include "model/analysis/surface_bounds.h"
 #include "model/geometry/ksquad.h"
 
 namespace knotspan::app {
@@ -39,6 +40,16 @@ Bytes bytesOf(const Scene& scene)
     return bytes;
 }
 
+// Of the visible surfaces themselves, not of their control points.
+Box boundsOf(const Scene& scene)
+{
+    Box box;
+    for (const auto& [id, object] : scene.objects())
+        if (object->visible)
+            box.add(surfaceBounds(object->surface, object->transform));
+    return box;
+}
+
 Json describe(const SceneObject& object, size_t id)
 {
     const NurbsSurface& surface = object.surface;
@@ -61,7 +72,7 @@ Json describe(const Scene& scene)
     for (const auto& [id, object] : scene.objects())
         surfaces.push_back(describe(*object, surfaces.size()));
     Json bounds;  // null for an empty model
-    if (const Box box = scene.bounds(); !box.isEmpty())
+    if (const Box box = boundsOf(scene); !box.isEmpty())
         bounds = {{"low", {box.low.x, box.low.y, box.low.z}}, {"high", {box.high.x, box.high.y, box.high.z}}};
     const Bytes bytes = bytesOf(scene);
     return {{"surfaces", surfaces},
@@ -75,7 +86,7 @@ Json describe(const Scene& scene)
 
 void printForPeople(const Scene& scene)
 {
-    const Box box = scene.bounds();
+    const Box box = boundsOf(scene);
     const Bytes bytes = bytesOf(scene);
     std::cout << scene.objects().size() << " surfaces, " << scene.ksQuadCount() << " KSQuads, "
               << scene.controlPointCount() << " control points\n";

@@ -26,7 +26,7 @@ Frame frameFor(const RenderTexts& texts, const RenderRequest& request, const Sce
     frame.path = path;
     frame.culling = request.culling;
     frame.sampling = request.sampling;
-    frame.tolerancePx = texts.tolerance;
+    frame.tolerancePx = texts.tolerance.value_or(frame.tolerancePx);
     frame.shading = request.shading;
     frame.overlays.controlNets = texts.net;
     frame.overlays.knotLines = texts.knots;
@@ -65,6 +65,9 @@ Result<Drawn> render(const RenderTexts& texts, const RenderRequest& request)
     if (const std::string why = (*renderer)->whyUnavailable(path); !why.empty())
         return tl::unexpected<Error>({why.back() == '.' ? why.substr(0, why.size() - 1) : why,
                                       "--path " + pathInfo(path).name, "Choose another path"});
+    if (texts.tolerance && !pathInfo(path).followsTolerance)
+        tell("The tolerance changes nothing here: " + pathInfo(path).name + " is " +
+             pathInfo(path).description + ". The path tessellation follows it.");
     return draw(**renderer, *scene, frameFor(texts, request, *scene, path), request, texts.frames);
 }
 

@@ -62,6 +62,15 @@ void parseEye(const RenderTexts& texts, RenderRequest& request)
         throw CLI::ValidationError("--up", "is no direction");
 }
 
+bool isSameFile(const std::string& a, const std::string& b)
+{
+    std::error_code unknown;
+    const auto whole = [&](const std::string& path) {
+        return std::filesystem::weakly_canonical(path, unknown);
+    };
+    return !a.empty() && whole(a) == whole(b);
+}
+
 bool areAlong(const Vec3& a, const Vec3& b)
 {
     return glm::length(glm::cross(a, b)) <= 1e-9 * glm::length(a) * glm::length(b);
@@ -71,8 +80,10 @@ bool areAlong(const Vec3& a, const Vec3& b)
 
 void addRenderOptions(CLI::App& command, RenderTexts& texts)
 {
+    const CLI::Validator notEmpty(
+        [](const std::string& value) { return value.empty() ? "should not be empty" : ""; }, "");
     const auto text = [&](const char* name, std::string& value, const std::string& help, const char* type) {
-        return command.add_option(name, value, help)->type_name(type);
+        return command.add_option(name, value, help)->type_name(type)->check(notEmpty);
     };
     const auto list = [](const std::vector<std::string>& names) { return joined(names, ", "); };
     command.add_option("FILE", texts.file, "Model to read")->required();
@@ -81,8 +92,8 @@ void addRenderOptions(CLI::App& command, RenderTexts& texts)
     text("--path", texts.path, "How triangles are made: " + list(namesOf(paths())), "P");
     text("--culling", texts.culling, "What is dropped unseen: none, " + list(namesOf(cullModes())), "A,B");
     text("--sampling", texts.sampling, "How finely: area, fixed:N", "S");
-    command.add_option("--tolerance", texts.tolerance, "How far the picture may be off, in pixels")
-        ->capture_default_str()
+    command
+        .add_option("--tolerance", texts.tolerance, "How far the picture may be off, in pixels (default 0.5)")
         ->check(within(0.01, 1000))
         ->type_name("PX");
     text("--evaluator", texts.evaluator, "How surface points are computed: triangular", "E");
@@ -113,6 +124,12 @@ RenderRequest parse(const RenderTexts& texts)
 {
     if (std::filesystem::path(texts.output).extension() != ".png")
         throw CLI::ValidationError("--output", "'" + texts.output + "' should end in .png");
+    for (const std::string& other : {texts.file, texts.output})
+        if (texts.stats != "-" && isSameFile(texts.stats, other))
+            throw CLI::ValidationError("--stats",
+                                       "'" + texts.stats + "' would be written over; choose another file");
+    if (isSameFile(texts.output, texts.file))
+        throw CLI::ValidationError("--output", "'" + texts.output + "' is the model; choose another file");
     RenderRequest request;
     if (!texts.size.empty())
         request.size = parseSize("--size", texts.size);

@@ -17,7 +17,7 @@ struct RenderTexts {
     std::string file, output, size, path, culling, sampling, evaluator, view, eye, target, up, shading,
         deform;
     std::string stats;
-    double tolerance = 0.5;
+    std::optional<double> tolerance;
     double fov = 35;
     int frames = 1;
     std::optional<int> device;

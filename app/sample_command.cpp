@@ -37,6 +37,7 @@ int run(const Options& options)
     }
     if (options.output.empty())
         throw CLI::RequiredError("-o FILE");
+    checkWritable("--output", options.output);
     const auto written = formats::write(sample->make(), options.output);
     return written ? kDone : failed(written.error());
 }

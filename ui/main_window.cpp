@@ -1,5 +1,7 @@
 #include "ui/main_window.h"
 
+#include <algorithm>
+
 #include <QAction>
 #include <QCloseEvent>
 #include <QDockWidget>
@@ -44,6 +46,12 @@ std::vector<fs::path> localFiles(const QMimeData& data)
     return files;
 }
 
+std::ptrdiff_t trimmedFaces(const Scene& scene)
+{
+    return std::count_if(scene.objects().begin(), scene.objects().end(),
+                         [](const auto& entry) { return !entry.second->trimLoops.empty(); });
+}
+
 }  // namespace
 
 MainWindow::MainWindow(Questions questions) : questions_(std::move(questions))
@@ -61,6 +69,8 @@ MainWindow::MainWindow(Questions questions) : questions_(std::move(questions))
     connect(&document_, &Document::fileChanged, this, &MainWindow::showActionStates);
     connect(&document_, &Document::sceneChanged, this, &MainWindow::showActionStates);
     connect(&document_.undoStack(), &QUndoStack::indexChanged, this, &MainWindow::showActionStates);
+    // Not at each move of a drag: the bar's going would move the picture under the hand.
+    connect(&document_.undoStack(), &QUndoStack::indexChanged, messages_, &MessageBar::dismissTrouble);
     connect(&selection_, &Selection::changed, this, &MainWindow::showActionStates);
     connect(viewport_, &Viewport::frameChanged, this, &MainWindow::showActionStates);
     showTitle();
@@ -123,7 +133,7 @@ void MainWindow::openFiles(const std::vector<fs::path>& files)
         return;
     messages_->dismiss();
     if (openFile(files.front()))
-        addFiles({files.begin() + 1, files.end()});
+        addFiles({files.begin() + 1, files.end()}, 0);
 }
 
 bool MainWindow::openFile(const fs::path& path)
@@ -138,12 +148,21 @@ bool MainWindow::openFile(const fs::path& path)
     return true;
 }
 
-void MainWindow::addFiles(const std::vector<fs::path>& files)
+void MainWindow::addFiles(const std::vector<fs::path>& files, std::ptrdiff_t trimmedBefore)
 {
     const Busy busy;
+    QStringList wrong;  // said at the end: a file that works would clear the message
     for (const fs::path& path : files)
         if (const Result<void> added = document_.add(path); !added)
-            report(added.error());
+            wrong << QString::fromStdString(added.error().sentence());
+    QStringList lines = wrong;
+    if (trimmedFaces(document_.scene()) > trimmedBefore)
+        lines << tr("Trimmed faces are shown whole: this version keeps their trim loops but does not draw "
+                    "them yet.");
+    if (!wrong.isEmpty())
+        messages_->say(lines.join('\n'));
+    else if (!lines.isEmpty())
+        messages_->note(lines.join('\n'));
 }
 
 void MainWindow::openSample(const std::string& name)
@@ -169,15 +188,17 @@ void MainWindow::askAndAdd()
     std::vector<fs::path> files;
     for (const QString& name : questions_.filesToOpen(this, tr("Add to this model"), readFilters()))
         files.push_back(toPath(name));
+    if (files.empty())
+        return;
     messages_->dismiss();
-    addFiles(files);
+    addFiles(files, trimmedFaces(document_.scene()));
 }
 
 bool MainWindow::save()
 {
     if (document_.file().empty())
         return saveAs();
-    messages_->dismiss();
+    messages_->dismissTrouble();
     const Busy busy;
     if (const Result<void> saved = document_.save(); !saved) {
         report(saved.error());
@@ -198,7 +219,7 @@ bool MainWindow::saveAs()
     fs::path path = toPath(name);
     if (!path.has_extension())
         path += ".knotspan";
-    messages_->dismiss();
+    messages_->dismissTrouble();
     const Busy busy;
     if (const Result<void> saved = document_.saveAs(path); !saved) {
         report(saved.error());

@@ -81,7 +81,8 @@ private:
 
     bool mayDropDocument();
     bool openFile(const std::filesystem::path& path);
-    void addFiles(const std::vector<std::filesystem::path>& files);
+    // `trimmedBefore`: how many trimmed faces the user knows of.
+    void addFiles(const std::vector<std::filesystem::path>& files, std::ptrdiff_t trimmedBefore);
     void report(const Error& error);
     void showTitle();
     void showActionStates();

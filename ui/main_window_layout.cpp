@@ -172,9 +172,13 @@ void MainWindow::makeToolBar()
 void MainWindow::makeStatusBar()
 {
     auto* hint =
-        new QLabel(tr("Left drag turns the view, right drag pans, the wheel zooms. H lists the keys."));
+        new QLabel(tr("Click a surface to see its control points (N: of all), drag one to pull the surface. "
+                      "Left drag elsewhere turns the view, H lists the keys."));
+    hint->setObjectName("hint");
     hint->setContentsMargins(6, 0, 6, 0);
-    statusBar()->addWidget(hint);
+    hint->setToolTip(hint->text());
+    hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // a narrow window cuts it off
+    statusBar()->addWidget(hint, 1);
     frameLine_ = new QLabel;
     frameLine_->setAccessibleName(tr("The last frame"));
     frameLine_->setContentsMargins(6, 0, 6, 0);

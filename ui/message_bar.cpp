@@ -2,7 +2,6 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QStyle>
 #include <QToolButton>
 
 namespace knotspan {
@@ -15,9 +14,7 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent)
     setBackgroundRole(QPalette::ToolTipBase);
     setForegroundRole(QPalette::ToolTipText);
 
-    auto* icon = new QLabel(this);
-    const int size = style()->pixelMetric(QStyle::PM_SmallIconSize);
-    icon->setPixmap(style()->standardIcon(QStyle::SP_MessageBoxWarning).pixmap(size, size));
+    icon_ = new QLabel(this);
     text_ = new QLabel(this);
     text_->setWordWrap(true);
     text_->setForegroundRole(QPalette::ToolTipText);
@@ -31,7 +28,7 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent)
     connect(close, &QToolButton::clicked, this, &MessageBar::dismiss);
 
     auto* row = new QHBoxLayout(this);
-    row->addWidget(icon);
+    row->addWidget(icon_);
     row->addWidget(text_, 1);
     row->addWidget(close, 0, Qt::AlignTop);
     hide();
@@ -39,9 +36,29 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent)
 
 void MessageBar::say(const QString& sentence)
 {
+    isTrouble_ = true;
+    showSentence(sentence, QStyle::SP_MessageBoxWarning);
+}
+
+void MessageBar::note(const QString& sentence)
+{
+    isTrouble_ = false;
+    showSentence(sentence, QStyle::SP_MessageBoxInformation);
+}
+
+void MessageBar::showSentence(const QString& sentence, QStyle::StandardPixmap icon)
+{
+    const int size = style()->pixelMetric(QStyle::PM_SmallIconSize);
+    icon_->setPixmap(style()->standardIcon(icon).pixmap(size, size));
     text_->setText(sentence);
     setAccessibleName(sentence);
-    show();
+    setVisible(true);
+}
+
+void MessageBar::dismissTrouble()
+{
+    if (isTrouble_)
+        dismiss();
 }
 
 void MessageBar::dismiss()

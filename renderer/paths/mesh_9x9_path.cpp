@@ -37,7 +37,7 @@ private:
 
 PathFactory mesh9x9Path()
 {
-    return {{PathId::mesh9x9, "mesh-9x9", "Task and mesh stages, every KSQuad as 9 by 9 vertices"},
+    return {{PathId::mesh9x9, "mesh-9x9", "Task and mesh stages, every KSQuad as 9 by 9 vertices", false},
             [](const Device& device) { return device.abilities().noMeshStages; },
             [](const Device& device, const Bindings& bindings) -> std::unique_ptr<SurfacePath> {
                 return std::make_unique<Mesh9x9Path>(device, bindings);

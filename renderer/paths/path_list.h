@@ -14,6 +14,7 @@ struct PathInfo {
     PathId id;
     std::string name;         // "mesh-9x9"
     std::string description;  // a sentence for a tooltip
+    bool followsTolerance;    // false: it draws as many triangles whatever the tolerance
 };
 
 // In the order that pickers show.

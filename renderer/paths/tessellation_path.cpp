@@ -60,7 +60,7 @@ private:
 PathFactory tessellationPath()
 {
     return {{PathId::tessellation, "tessellation",
-             "Tessellation stages, KSQuads as patches, finer where they are larger"},
+             "Tessellation stages, KSQuads as patches, finer where they are larger", true},
             [](const Device& device) { return device.abilities().noTessellation; },
             [](const Device& device, const Bindings& bindings) -> std::unique_ptr<SurfacePath> {
                 return std::make_unique<TessellationPath>(device, bindings);

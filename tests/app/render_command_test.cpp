@@ -144,6 +144,29 @@ TEST_F(RenderCommand, RefusesWrongCalls)
     EXPECT_TRUE(fs::is_empty(folder / "out"));
 }
 
+TEST_F(RenderCommand, NeverWritesOverTheModelOrOneFileTwice)
+{
+    const std::string before = readFile(model);
+    expectWrongCall({"render", model, "-o", picture, "--stats", model});
+    expectWrongCall({"render", model, "-o", picture, "--stats", picture});
+    expectWrongCall(
+        {"render", model, "-o", picture, "--stats", (folder / "out/../out/picture.png").string()});
+    EXPECT_EQ(readFile(model), before);
+    EXPECT_FALSE(fs::exists(picture));
+}
+
+TEST_F(RenderCommand, SaysSoWhereTheToleranceChangesNothing)
+{
+    needDevice();
+    const auto messagesOf = [&](const char* path) {
+        return runProgram(
+                   {"render", model, "-o", picture, "--size", "96x64", "--path", path, "--tolerance", "2"})
+            .messages;
+    };
+    EXPECT_EQ(messagesOf("tessellation"), "");
+    EXPECT_NE(messagesOf("mesh-9x9").find("mesh-9x9"), std::string::npos);
+}
+
 TEST_F(RenderCommand, WritesNothingWhereItFails)
 {
     needDevice();

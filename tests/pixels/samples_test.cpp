@@ -1,4 +1,6 @@
 // Every sample on every path: the same picture, whichever stages drew it.
+#include <algorithm>
+
 #include "model/samples/sample_list.h"
 #include "tests/renderer/render_support.h"
 

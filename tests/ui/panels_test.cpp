@@ -25,6 +25,13 @@ QToolButton* buttonNamed(const QWidget& parent, const QString& text)
     return nullptr;
 }
 
+void usePath(Viewport& viewport, PathId path)
+{
+    Frame frame = viewport.frame();
+    frame.path = path;
+    viewport.setFrame(frame);
+}
+
 TEST(RenderingPanel, ShowsEveryPathCullingModeAndShading)
 {
     Document document;
@@ -58,11 +65,40 @@ TEST(RenderingPanel, APathThatTheDeviceCannotRunIsGreyedWithTheReason)
     }
 }
 
+TEST(RenderingPanel, ToleranceIsGreyedWithTheReasonWhereThePathDoesNotFollowIt)
+{
+    Document document;
+    Selection selection;
+    Viewport viewport(document, selection);
+    const RenderingPanel panel(viewport);
+    std::vector<QWidget*> controls = {panel.findChild<QSlider*>("tolerance-slider"),
+                                      panel.findChild<QDoubleSpinBox*>("tolerance")};
+    for (const char* preset : {"Draft", "Balanced", "Exact"})
+        controls.push_back(buttonNamed(panel, preset));
+    for (const PathId path : {PathId::tessellation, PathId::mesh9x9, PathId::tessellation}) {
+        usePath(viewport, path);
+        const bool follows = path == PathId::tessellation;
+        for (const QWidget* control : controls) {
+            EXPECT_EQ(control->isEnabled(), follows);
+            EXPECT_FALSE(control->toolTip().isEmpty());
+            EXPECT_EQ(control->toolTip().contains("mesh-9x9"), !follows) << control->toolTip().toStdString();
+            EXPECT_EQ(control->toolTip().contains("9 by 9"), !follows) << control->toolTip().toStdString();
+        }
+        EXPECT_EQ(controls.back()->toolTip().startsWith("A quarter"), follows);
+    }
+    if (viewport.renderer() == nullptr)
+        GTEST_SKIP() << "no Vulkan device here";
+    usePath(viewport, PathId::mesh9x9);
+    EXPECT_EQ(controls.front()->toolTip().contains("Choose the path tessellation"),
+              viewport.renderer()->whyUnavailable(PathId::tessellation).empty());
+}
+
 TEST(RenderingPanel, SliderBoxAndPresetsShowOneTolerance)
 {
     Document document;
     Selection selection;
     Viewport viewport(document, selection);
+    usePath(viewport, PathId::tessellation);
     const RenderingPanel panel(viewport);
     auto* slider = panel.findChild<QSlider*>("tolerance-slider");
     auto* box = panel.findChild<QDoubleSpinBox*>("tolerance");

@@ -61,6 +61,19 @@ void describe(QWidget* widget, const QString& name, const QString& tip)
     widget->setStatusTip(tip);
 }
 
+QString whyToleranceIsIdle(const PathInfo& chosen, const Renderer* renderer)
+{
+    QString how = text(chosen.description);
+    how.replace(0, 1, how.left(1).toLower());
+    const QString why =
+        RenderingPanel::tr("%1 draws the same whatever the tolerance: %2.").arg(text(chosen.name), how);
+    for (const PathInfo& other : paths())
+        if (other.followsTolerance && renderer != nullptr && renderer->whyUnavailable(other.id).empty())
+            return RenderingPanel::tr("%1 Choose the path %2 to trade speed for accuracy.")
+                .arg(why, text(other.name));
+    return why;
+}
+
 }  // namespace
 
 RenderingPanel::RenderingPanel(Viewport& viewport, QWidget* parent) : QWidget(parent), viewport_(viewport)
@@ -164,6 +177,9 @@ QWidget* RenderingPanel::makeTolerance()
         below->addWidget(button, 1);
         presets_.push_back(button);
     }
+    toleranceTips_ = {{slider_, tip}, {tolerance_, tip}};
+    for (QToolButton* button : presets_)
+        toleranceTips_.emplace_back(button, button->toolTip());
     auto* rows = new QVBoxLayout(box);
     rows->setContentsMargins(0, 0, 0, 0);
     rows->addLayout(top);
@@ -201,6 +217,19 @@ void RenderingPanel::showFrame()
     tolerance_->setValue(frame.tolerancePx);
     for (size_t preset = 0; preset < presets_.size(); ++preset)
         presets_[preset]->setChecked(std::abs(frame.tolerancePx - kPresets[preset].tolerancePx) < 1e-9);
+    showWhetherToleranceCounts(frame.path);
+}
+
+void RenderingPanel::showWhetherToleranceCounts(PathId path)
+{
+    const PathInfo& chosen = pathInfo(path);
+    const QString why =
+        chosen.followsTolerance ? QString() : whyToleranceIsIdle(chosen, viewport_.renderer());
+    for (const auto& [control, tip] : toleranceTips_) {
+        control->setEnabled(chosen.followsTolerance);
+        control->setToolTip(chosen.followsTolerance ? tip : why);
+        control->setStatusTip(control->toolTip());
+    }
 }
 
 }  // namespace knotspan

@@ -1,6 +1,7 @@
 // How the model is drawn: path, culling, shading and tolerance, filled from the renderer's lists.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include <QWidget>
@@ -28,6 +29,7 @@ private:
     QWidget* makeTolerance();
     void fillPaths();
     void showFrame();
+    void showWhetherToleranceCounts(PathId path);
 
     template <class Change>
     void change(Change&& change)
@@ -44,6 +46,7 @@ private:
     QSlider* slider_ = nullptr;
     QDoubleSpinBox* tolerance_ = nullptr;
     std::vector<QToolButton*> presets_;
+    std::vector<std::pair<QWidget*, QString>> toleranceTips_;  // what sets the tolerance, while it counts
 };
 
 }  // namespace knotspan

@@ -52,7 +52,7 @@ public:
     [[nodiscard]] QObject* surface() const { return presenter_ ? presenter_->surface() : nullptr; }
 
     [[nodiscard]] QSize sizeHint() const override { return {960, 640}; }
-    [[nodiscard]] QSize minimumSizeHint() const override { return {160, 120}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {360, 300}; }
 
 Q_SIGNALS:
     void frameChanged();

@@ -138,8 +138,7 @@ TEST_F(BadModels, WithAMissingMemberAreRefused)
     for (const char* key : {"version", "units", "objects"})
         EXPECT_EQ(refusalOf([&](json& m) { m.erase(key); }), missing(key));
     for (const char* key : {"name", "colour", "transform", "visible", "surface", "trim_loops"})
-        EXPECT_EQ(refusalOf([&](json& m) { m["objects"][4].erase(key); }),
-                  "objects[4]: " + missing(key));
+        EXPECT_EQ(refusalOf([&](json& m) { m["objects"][4].erase(key); }), "objects[4]: " + missing(key));
     for (const char* key : {"degree_u", "degree_v", "knots_u", "knots_v", "control_points"})
         EXPECT_EQ(refusalOf([&](json& m) { m["objects"][4]["surface"].erase(key); }),
                   "objects[4], surface: " + missing(key));

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/model/geometry/precise_evaluation.h"
 #include "tests/model/geometry/random_surface.h"
 

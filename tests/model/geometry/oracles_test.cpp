@@ -1,4 +1,5 @@
 // Surfaces evaluated by other programs and in exact arithmetic; skipped where their files are absent.
+#include <algorithm>
 #include <fstream>
 #include <optional>
 

@@ -1,0 +1,14 @@
+// The box of a surface itself; its control points' box (NurbsSurface::bounds) is larger, often much.
+#pragma once
+
+#include "model/core/space.h"
+#include "model/geometry/nurbs_surface.h"
+
+namespace knotspan {
+
+// The box around the transformed surface, to about 1e-9 of its size: the best of a grid of four by four
+// points a KSQuad, climbed from there in each of the six directions. A bulge narrower than that grid may be
+// missed, so this is for people; what must enclose the surface takes the control points.
+[[nodiscard]] Box surfaceBounds(const NurbsSurface& surface, const Mat4& transform);
+
+}  // namespace knotspan

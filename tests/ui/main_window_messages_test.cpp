@@ -1,0 +1,131 @@
+// What the window says, in its message bar and its status line, and the room it leaves the picture.
+#include <array>
+
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QLabel>
+#include <QRegularExpression>
+
+#include "model/formats/format_list.h"
+#include "model/samples/sample_list.h"
+#include "tests/support.h"
+#include "tests/ui/window_harness.h"
+
+namespace knotspan {
+namespace {
+
+using namespace knotspan::testing;
+
+std::filesystem::path sampleFile(const TemporaryFolder& folder, const std::string& name)
+{
+    const std::filesystem::path path = folder / (name + ".knotspan");
+    EXPECT_TRUE(formats::write(findSample(name)->make(), path).has_value());
+    return path;
+}
+
+// A model with one surface, trimmed by a triangle.
+std::filesystem::path trimmedFile(const TemporaryFolder& folder)
+{
+    TrimLoop triangle;
+    const std::array<Vec2, 3> corners = {Vec2(0.2, 0.2), Vec2(0.8, 0.2), Vec2(0.5, 0.8)};
+    for (size_t k = 0; k < corners.size(); ++k)
+        triangle.curves.push_back(
+            *TrimCurve::create(KnotVector::clampedUniform(1, 1), {{corners[k]}, {corners[(k + 1) % 3]}}));
+    Scene scene = findSample("single-100")->make();
+    const auto [id, object] = *scene.objects().begin();
+    auto trimmed = std::make_shared<SceneObject>(*object);
+    trimmed->trimLoops = {triangle};
+    scene.exchange(id, trimmed);
+    std::filesystem::path path = folder / "trimmed.knotspan";
+    EXPECT_TRUE(formats::write(scene, path).has_value());
+    return path;
+}
+
+TEST(MainWindow, WhatWentWrongIsPastOnceTheDocumentChangesOrIsSaved)
+{
+    const TemporaryFolder folder;
+    Answers answers;
+    MainWindow window(answering(answers));
+    window.openFiles({sampleFile(folder, "nine-16")});
+    const auto fail = [&] {
+        answers.filesToOpen = {QString::fromStdString((folder / "absent.knotspan").string())};
+        window.askAndAdd();
+        EXPECT_TRUE(window.message().contains("absent.knotspan"));
+    };
+    fail();
+    window.selectAll();
+    EXPECT_FALSE(window.message().isEmpty());  // the document is as it was
+    window.deleteSelected();
+    EXPECT_EQ(window.message(), QString());
+    fail();
+    window.undo();
+    EXPECT_EQ(window.message(), QString());
+    fail();
+    EXPECT_TRUE(window.save());
+    EXPECT_EQ(window.message(), QString());
+    fail();
+    answers.filesToOpen = {QString::fromStdString(sampleFile(folder, "single-100").string())};
+    window.askAndAdd();
+    EXPECT_EQ(window.message(), QString());
+}
+
+TEST(MainWindow, SaysThatTrimmedFacesAreShownWhole)
+{
+    const TemporaryFolder folder;
+    const std::filesystem::path trimmed = trimmedFile(folder);
+    Answers answers;
+    MainWindow window(answering(answers));
+    window.openFiles({sampleFile(folder, "nine-16")});
+    EXPECT_EQ(window.message(), QString());
+    window.openFiles({trimmed});
+    EXPECT_TRUE(window.message().startsWith("Trimmed faces are shown whole"))
+        << window.message().toStdString();
+    window.selectAll();
+    window.deleteSelected();
+    EXPECT_FALSE(window.message().isEmpty());  // nothing went wrong, so nothing is put right
+    window.openSample("nine-16");
+    EXPECT_EQ(window.message(), QString());
+
+    answers.filesToOpen = {QString::fromStdString(trimmed.string())};
+    window.askAndAdd();
+    EXPECT_TRUE(window.message().startsWith("Trimmed faces are shown whole"))
+        << window.message().toStdString();
+    answers.filesToOpen = {QString::fromStdString(sampleFile(folder, "single-100").string())};
+    window.askAndAdd();
+    EXPECT_EQ(window.message(), QString());  // said already
+    window.document().undoStack().setClean();
+    window.openFiles({trimmed, folder / "absent.knotspan"});
+    EXPECT_TRUE(window.message().contains("absent.knotspan"));
+    EXPECT_TRUE(window.message().contains("Trimmed faces are shown whole"));
+}
+
+TEST(MainWindow, ASmallWindowKeepsAPicture)
+{
+    Answers answers;
+    MainWindow window(answering(answers));
+    window.openSample("single-100");
+    window.show();
+    window.resize(1, 1);
+    settle(window);
+    EXPECT_GE(window.viewport().width(), 360);
+    EXPECT_GE(window.viewport().height(), 300);
+    EXPECT_LE(window.width(), 800);
+    EXPECT_LE(window.height(), 600);
+}
+
+TEST(MainWindow, TheStatusLineSaysHowToPullASurface)
+{
+    Answers answers;
+    MainWindow window(answering(answers));
+    const auto* hint = window.findChild<QLabel*>("hint");
+    ASSERT_NE(hint, nullptr);
+    EXPECT_TRUE(hint->text().contains("control points"));
+    for (const char* id : {"view.nets", "help.keys"}) {
+        const QString key = window.action(id)->shortcut().toString(QKeySequence::NativeText);
+        EXPECT_TRUE(hint->text().contains(QRegularExpression("\\b" + key + "\\b"))) << id;
+    }
+}
+
+}  // namespace
+}  // namespace knotspan
