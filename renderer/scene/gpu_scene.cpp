@@ -162,7 +162,8 @@ void GpuScene::updateViews(const Camera& camera, const std::vector<ObjectId>& hi
             views.back().highlight = 1.0F;
     }
     const size_t bytes = views.size() * sizeof(gpu::SurfaceView);
-    if (views.size() == views_.size() && std::memcmp(views.data(), views_.data(), bytes) == 0)
+    if (views.size() == views_.size() &&
+        (views.empty() || std::memcmp(views.data(), views_.data(), bytes) == 0))
         return;
     views_ = std::move(views);
     uploader_.write(surfaceViews_, 0, all(views_));

@@ -91,6 +91,13 @@ Instance::Instance(Validation validation)
     if (result == VK_ERROR_INCOMPATIBLE_DRIVER)  // what a loader without a single driver says
         throw VulkanError(noDeviceError());
     vkCheck(result, "starting Vulkan");
+#ifdef __SANITIZE_ADDRESS__
+    // A second instance that stays keeps the driver loaded to the end: only so can the leak checker tell what
+    // the driver keeps from what we lose.
+    static VkInstance kept = VK_NULL_HANDLE;
+    if (kept == VK_NULL_HANDLE)
+        vkCreateInstance(&info, nullptr, &kept);
+#endif
 
     if (installed) {
         messenger.pNext = nullptr;
