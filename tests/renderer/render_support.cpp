@@ -4,15 +4,42 @@
 
 namespace knotspan::testing {
 
+namespace {
+
+std::unique_ptr<Renderer> openRenderer()
+{
+    auto made = Renderer::create({.device = {}, .validation = true});
+    if (!made)
+        made = Renderer::create();
+    return made ? std::move(*made) : nullptr;
+}
+
+std::unique_ptr<Renderer>& heldRenderer()
+{
+    static std::unique_ptr<Renderer> renderer = openRenderer();
+    return renderer;
+}
+
+// Whatever the tests of a program did with the shared renderer, the validation layer had nothing to say of
+// it. It is closed before the program ends: drivers and layers put their own things away then, in an order of
+// their own.
+class SharedRendererEnd : public ::testing::Environment {
+public:
+    void TearDown() override
+    {
+        if (heldRenderer()) {
+            EXPECT_EQ(heldRenderer()->validationMessages(), std::vector<std::string>());
+        }
+        heldRenderer().reset();
+    }
+};
+[[maybe_unused]] const auto* const kEnd = ::testing::AddGlobalTestEnvironment(new SharedRendererEnd);
+
+}  // namespace
+
 Renderer* sharedRenderer()
 {
-    static const std::unique_ptr<Renderer> renderer = [] {
-        auto made = Renderer::create({.device = {}, .validation = true});
-        if (!made)
-            made = Renderer::create();
-        return made ? std::move(*made) : nullptr;
-    }();
-    return renderer.get();
+    return heldRenderer().get();
 }
 
 Frame frameOf(const Scene& scene, PathId path, int width, int height, std::string_view view)

@@ -37,17 +37,5 @@ TEST(ValidationLayer, HasNoMessageInARenderOfAnyPath)
     EXPECT_EQ(renderer.validationMessages(), std::vector<std::string>());
 }
 
-// Whatever the other tests of this program did with the shared renderer was right as well.
-class NoMessages : public ::testing::Environment {
-public:
-    void TearDown() override
-    {
-        if (const Renderer* renderer = sharedRenderer()) {
-            EXPECT_EQ(renderer->validationMessages(), std::vector<std::string>());
-        }
-    }
-};
-[[maybe_unused]] const auto* const kNoMessages = ::testing::AddGlobalTestEnvironment(new NoMessages);
-
 }  // namespace
 }  // namespace knotspan::testing
