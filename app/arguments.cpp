@@ -99,6 +99,15 @@ void refuseName(const std::string& option, const std::string& text, const std::v
     throw CLI::ValidationError(option, "'" + text + "' is not known; known are " + joined(names, ", "));
 }
 
+bool isSameFile(const std::string& a, const std::string& b)
+{
+    std::error_code unknown;
+    const auto whole = [&](const std::string& path) {
+        return std::filesystem::weakly_canonical(path, unknown);
+    };
+    return !a.empty() && whole(a) == whole(b);
+}
+
 std::string joined(const std::vector<std::string>& texts, const std::string& separator)
 {
     std::string result;

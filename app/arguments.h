@@ -36,6 +36,9 @@ struct PixelSize {
 // A file to be written must have the extension of a format that can be.
 void checkWritable(const std::string& option, const std::filesystem::path& path);
 
+// Whether both name one file, by links too; no name names one.
+[[nodiscard]] bool isSameFile(const std::string& a, const std::string& b);
+
 [[nodiscard]] std::string joined(const std::vector<std::string>& texts, const std::string& separator);
 
 }  // namespace knotspan::app

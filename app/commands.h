@@ -17,6 +17,7 @@ void addConvertCommand(CLI::App& app, int& exitCode);
 void addInfoCommand(CLI::App& app, int& exitCode);
 void addSampleCommand(CLI::App& app, int& exitCode);
 void addEvaluateCommand(CLI::App& app, int& exitCode);
+void addMeasureCommand(CLI::App& app, int& exitCode);
 
 // `knotspan [FILE...]`, also by the name `window`. Runs where no other command did.
 void addWindowCommand(CLI::App& app, int& exitCode, int& argc, char** argv);

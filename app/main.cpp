@@ -32,6 +32,7 @@ int run(int& argc, char** argv)
     addInfoCommand(app, exitCode);
     addSampleCommand(app, exitCode);
     addEvaluateCommand(app, exitCode);
+    addMeasureCommand(app, exitCode);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& asked) {  // --help, --version

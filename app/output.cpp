@@ -33,6 +33,14 @@ Result<void> writeFiles(const std::vector<OutputFile>& files)
     return {};
 }
 
+Result<void> checkPlace(const std::filesystem::path& path)
+{
+    QSaveFile file(QString::fromStdString(path.string()));
+    if (!file.open(QIODevice::WriteOnly))
+        return unwritable(path, file);
+    return {};
+}
+
 void tell(const std::string& sentence)
 {
     std::cerr << "knotspan: " << sentence << '\n';

@@ -20,6 +20,9 @@ struct OutputFile {
 // Writes all of them or, where one fails, none: each goes to a temporary file beside it first.
 [[nodiscard]] Result<void> writeFiles(const std::vector<OutputFile>& files);
 
+// Whether writeFiles() could begin; for what takes long before there is something to write.
+[[nodiscard]] Result<void> checkPlace(const std::filesystem::path& path);
+
 // Standard error: "knotspan: SENTENCE".
 void tell(const std::string& sentence);
 

@@ -26,6 +26,7 @@ Frame frameFor(const RenderTexts& texts, const RenderRequest& request, const Sce
     frame.path = path;
     frame.culling = request.culling;
     frame.sampling = request.sampling;
+    frame.evaluator = request.evaluator;
     frame.tolerancePx = texts.tolerance.value_or(frame.tolerancePx);
     frame.shading = request.shading;
     frame.overlays.controlNets = texts.net;

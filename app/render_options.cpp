@@ -62,15 +62,6 @@ void parseEye(const RenderTexts& texts, RenderRequest& request)
         throw CLI::ValidationError("--up", "is no direction");
 }
 
-bool isSameFile(const std::string& a, const std::string& b)
-{
-    std::error_code unknown;
-    const auto whole = [&](const std::string& path) {
-        return std::filesystem::weakly_canonical(path, unknown);
-    };
-    return !a.empty() && whole(a) == whole(b);
-}
-
 bool areAlong(const Vec3& a, const Vec3& b)
 {
     return glm::length(glm::cross(a, b)) <= 1e-9 * glm::length(a) * glm::length(b);
@@ -96,7 +87,8 @@ void addRenderOptions(CLI::App& command, RenderTexts& texts)
         .add_option("--tolerance", texts.tolerance, "How far the picture may be off, in pixels (default 0.5)")
         ->check(within(0.01, 1000))
         ->type_name("PX");
-    text("--evaluator", texts.evaluator, "How surface points are computed: triangular", "E");
+    text("--evaluator", texts.evaluator,
+         "How surface points are computed: " + list(namesOf(evaluators())) + " (default auto)", "E");
     auto* view = text("--view", texts.view, "From where: " + list(namedViews()) + " (default iso)", "VIEW");
     text("--eye", texts.eye, "Where the eye is", "X,Y,Z")->excludes(view);
     text("--target", texts.target, "What it looks at (default: the model's middle)", "X,Y,Z");
@@ -139,8 +131,9 @@ RenderRequest parse(const RenderTexts& texts)
     if (!texts.sampling.empty())
         request.sampling = foundOr(parseSamplingRule(texts.sampling), "--sampling", texts.sampling,
                                    {"area", "fixed:1 to fixed:64"});
-    if (!texts.evaluator.empty() && texts.evaluator != "triangular")
-        refuseName("--evaluator", texts.evaluator, {"triangular"});
+    if (!texts.evaluator.empty())
+        request.evaluator =
+            foundOr(findEvaluator(texts.evaluator), "--evaluator", texts.evaluator, namesOf(evaluators()));
     if (!texts.shading.empty())
         request.shading =
             foundOr(findShading(texts.shading), "--shading", texts.shading, namesOf(shadings()));

@@ -32,6 +32,7 @@ struct RenderRequest {
     std::optional<PathId> path;  // none: the best that the device can run
     CullSet culling;
     SamplingRule sampling;
+    Evaluator evaluator = Evaluator::automatic;
     Shading shading = Shading::shaded;
     Deformation deformation = Deformation::none;
     std::optional<Vec3> eye, target, up;

@@ -6,11 +6,11 @@
 packages_to_build=(
     g++ cmake ninja-build pkg-config ccache
     qt6-base-dev libvulkan-dev glslc libglm-dev
-    libocct-foundation-dev libocct-modeling-algorithms-dev libocct-data-exchange-dev libtbb-dev libfontconfig-dev
+    libocct-foundation-dev libocct-modeling-algorithms-dev libocct-data-exchange-dev libtbb-dev libhwy-dev libfontconfig-dev
     nlohmann-json3-dev libcli11-dev libexpected-dev
 )
 packages_to_run=(qt6-qpa-plugins qt6-wayland mesa-vulkan-drivers)
-packages_to_test=(libgtest-dev libboost-dev vulkan-validationlayers spirv-tools xvfb xauth)
+packages_to_test=(libgtest-dev libbenchmark-dev libboost-dev vulkan-validationlayers spirv-tools xvfb xauth)
 
 say() { printf '%s\n' "$*" >&2; }
 
@@ -118,11 +118,11 @@ set_up() {
     }
 }
 
-# build PRESET TARGET…: configures once, then builds what changed.
+# build PRESET TARGET…: configures where the presets are newer, then builds what changed.
 build() (
     cd "$root" || exit
     preset=$1
     shift
-    [ -f "build/$preset/build.ninja" ] || cmake --preset "$preset" >&2
+    [ "build/$preset/build.ninja" -nt CMakePresets.json ] || cmake --preset "$preset" >&2
     cmake --build "build/$preset" --target "$@" >&2
 )

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "model/geometry/basis_evaluators.h"
 #include "model/scene/control_point_editing.h"
 #include "model/scene/scene.h"
 #include "renderer/culling/cull_modes.h"
@@ -39,6 +40,7 @@ struct Frame {
     CullSet culling;
     SamplingRule sampling;  // default: what the path takes by default
     double tolerancePx = 0.5;
+    Evaluator evaluator = Evaluator::automatic;  // by the largest degree that shows
     Shading shading = Shading::shaded;
     Overlays overlays;
 };

@@ -81,6 +81,11 @@ std::string Renderer::whyUnavailable(PathId path) const
     return pathFactory(path).whyUnavailable(parts_->device);
 }
 
+std::string Renderer::whyUnavailable(Precision precision) const
+{
+    return precision == Precision::float64 ? parts_->device.abilities().noDouble : std::string();
+}
+
 PathId Renderer::bestPath() const
 {
     for (const PathInfo& path : paths())
@@ -142,9 +147,10 @@ Result<std::vector<CapturedVertex>> Renderer::captureVertices(const Frame& frame
     return guarded([&] { return parts_->captureVertices(frame); }, &parts_->deviceLost);
 }
 
-Result<std::vector<CapturedVertex>> Renderer::evaluate(const std::vector<EvaluationPoint>& points)
+Result<Evaluations> Renderer::evaluate(const std::vector<EvaluationPoint>& points,
+                                       const EvaluationOptions& options)
 {
-    return guarded([&] { return parts_->evaluate(points); }, &parts_->deviceLost);
+    return guarded([&] { return parts_->evaluate(points, options); }, &parts_->deviceLost);
 }
 
 Vec3 Renderer::surfaceOrigin(ObjectId object) const

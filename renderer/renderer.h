@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "model/geometry/basis_evaluators.h"
 #include "model/scene/scene.h"
 #include "renderer/frame.h"
 #include "renderer/stats/frame_stats.h"
@@ -46,13 +47,33 @@ struct CapturedVertex {
     Vec3 normal{};    // unit, object space
 };
 
-// Where in a KSQuad the compute stage is to evaluate.
+// Evaluation by itself, in the compute stage. Where in a KSQuad of a visible object:
 struct EvaluationPoint {
     ObjectId object{};
     int spanU = 0;
     int spanV = 0;
     double u = 0;  // local to the span, 0 .. 1
     double v = 0;
+};
+
+// How: with which evaluator (automatic: by the largest degree that shows), in which number type, and how
+// often, so that the device's time is a median.
+struct EvaluationOptions {
+    Evaluator evaluator = Evaluator::automatic;
+    Precision precision = Precision::float32;
+    int repeats = 1;
+};
+
+struct EvaluatedPoint {
+    Vec3 position{};  // relative to surfaceOrigin(object), object space, as the rest
+    Vec3 du{};        // by the span's own u, 0 .. 1
+    Vec3 dv{};
+    Vec3 normal{};  // unit
+};
+struct Evaluations {
+    Evaluator evaluator{};               // the one in use
+    std::vector<EvaluatedPoint> points;  // in the order of the question
+    double gpuMs = 0;                    // without transfers; 0 where the device has no clock
 };
 
 struct RendererOptions {
@@ -74,6 +95,7 @@ public:
     [[nodiscard]] const std::string& deviceName() const;
     // Empty where the device can run the path, otherwise the reason, as a sentence.
     [[nodiscard]] std::string whyUnavailable(PathId path) const;
+    [[nodiscard]] std::string whyUnavailable(Precision precision) const;  // the same for evaluate()
     [[nodiscard]] PathId bestPath() const;  // the first of paths() that is available
 
     [[nodiscard]] Result<void> sync(const Scene& scene);
@@ -91,8 +113,11 @@ public:
     [[nodiscard]] Result<bool> present(Swapchain& swapchain);
 
     // Diagnostics. captureVertices() draws the frame and returns every vertex that the path's stage computed.
+    // evaluate() takes any number of points, fails where one is on no visible KSQuad or the device lacks the
+    // precision.
     [[nodiscard]] Result<std::vector<CapturedVertex>> captureVertices(const Frame& frame);
-    [[nodiscard]] Result<std::vector<CapturedVertex>> evaluate(const std::vector<EvaluationPoint>& points);
+    [[nodiscard]] Result<Evaluations> evaluate(const std::vector<EvaluationPoint>& points,
+                                               const EvaluationOptions& options = {});
     [[nodiscard]] Vec3 surfaceOrigin(ObjectId object) const;
     // What the validation layer said so far; empty without the layer and in a clean run.
     [[nodiscard]] std::vector<std::string> validationMessages() const;

@@ -51,20 +51,22 @@ Renderer::Parts::Parts(std::unique_ptr<Instance> madeInstance, const RendererOpt
 void Renderer::Parts::sync(const Scene& wanted)
 {
     wanted_ = wanted;
+    largestDegree_ = largestDegree(visibleObjects(wanted_));
     sceneIsHeld_ = false;
+    scene.useEvaluator(chosenEvaluator(wish_, largestDegree_, Precision::float32));
     scene.sync(wanted_);
     sceneIsHeld_ = true;
 }
 
-SurfacePath& Renderer::Parts::pathFor(PathId id)
+SurfacePath& Renderer::Parts::pathFor(PathId id, Evaluator evaluator)
 {
     const PathFactory& factory = pathFactory(id);
     if (const std::string reason = factory.whyUnavailable(device); !reason.empty())
         throw VulkanError(
             {"The path " + factory.info.name + " cannot run here. " + reason, {}, "Choose another path"});
-    auto& path = paths[id];
+    auto& path = paths[{id, evaluator}];
     if (!path)
-        path = factory.create(device, bindings);
+        path = factory.create(device, bindings, evaluator);
     return *path;
 }
 
@@ -126,7 +128,9 @@ FrameStats Renderer::Parts::draw(const Frame& frame, bool capture)
 {
     const auto started = std::chrono::steady_clock::now();
     checkFrame(frame);
-    SurfacePath& path = pathFor(frame.path);
+    wish_ = frame.evaluator;
+    const Evaluator evaluator = chosenEvaluator(wish_, largestDegree_, Precision::float32);
+    SurfacePath& path = pathFor(frame.path, evaluator);
     const SamplingRule sampling =
         frame.sampling.kind == SamplingRule::Kind::pathDefault ? path.defaultSampling() : frame.sampling;
     if (!path.supports(sampling))
@@ -139,11 +143,12 @@ FrameStats Renderer::Parts::draw(const Frame& frame, bool capture)
     try {
         if (!sceneIsHeld_)
             sync(Scene(wanted_));
+        scene.useEvaluator(evaluator);
         fitTargets(frame);
         scene.updateViews(frame.camera, frame.overlays.highlighted);
         updateFrameRecord(frame, path, sampling, capture);
         if (path.takesVisibleList())
-            culling.prepare(scene.ksquadCount(), frameRecord_->patchesPerDraw);
+            culling.prepare(scene.ksquadCount(), frameRecord_->patchesPerDraw, evaluator);
         device.execute([&](VkCommandBuffer commands) {
             uploaded = uploader.record(commands);
             record(commands, frame, path);
@@ -161,7 +166,7 @@ FrameStats Renderer::Parts::draw(const Frame& frame, bool capture)
     }
     lastFrame = frame;
     lastObjects.clear();
-    for (const GpuScene::Resident& resident : scene.residents())
+    for (const Resident& resident : scene.residents())
         lastObjects.push_back(resident.id);
     FrameStats stats = statsOf(frame, sampling, uploaded);
     stats.cpuMs = {cpuMs, cpuMs, cpuMs};
@@ -192,6 +197,7 @@ FrameStats Renderer::Parts::statsOf(const Frame& frame, SamplingRule sampling, V
     stats.path = pathInfo(frame.path).name;
     stats.culling = names(frame.culling);
     stats.sampling = name(sampling);
+    stats.evaluator = evaluatorInfo(scene.evaluator()).name;
     stats.tolerancePx = frame.tolerancePx;
     stats.width = frame.width;
     stats.height = frame.height;
@@ -217,7 +223,7 @@ FrameStats Renderer::Parts::statsOf(const Frame& frame, SamplingRule sampling, V
 void Renderer::Parts::drawOverlays(VkCommandBuffer commands, const Overlays& overlays) const
 {
     if (overlays.controlNets) {
-        for (const GpuScene::Resident& resident : scene.residents())
+        for (const Resident& resident : scene.residents())
             controlNet.drawNet(commands, scene.indexOf(resident), resident.object->surface);
     } else {
         for (const ObjectId id : overlays.netsOf)

@@ -8,6 +8,7 @@
 #include "renderer/frame_targets.h"
 #include "renderer/overlays/control_net.h"
 #include "renderer/paths/surface_path.h"
+#include "renderer/point_evaluation.h"
 #include "renderer/scene/gpu_scene.h"
 #include "renderer/stats/gpu_clock.h"
 #include "renderer/stats/gpu_counters.h"
@@ -22,7 +23,7 @@ struct Renderer::Parts {
     FrameStats draw(const Frame& frame, bool capture);
     Pick pick(double x, double y, double radiusPx);
     std::vector<CapturedVertex> captureVertices(const Frame& frame);
-    std::vector<CapturedVertex> evaluate(const std::vector<EvaluationPoint>& points);
+    Evaluations evaluate(const std::vector<EvaluationPoint>& points, const EvaluationOptions& options);
 
     // In this order: each needs those above it.
     std::unique_ptr<Instance> instance;
@@ -34,7 +35,7 @@ struct Renderer::Parts {
     GpuScene scene;
     CullPass culling;
     ControlNet controlNet;
-    std::map<PathId, std::unique_ptr<SurfacePath>> paths;  // made when first drawn with
+    std::map<std::pair<PathId, Evaluator>, std::unique_ptr<SurfacePath>> paths;  // made when first drawn with
     std::unique_ptr<FrameTargets> targets;
     // The last frame that was drawn whole, and the objects that its indices stand for.
     std::optional<Frame> lastFrame;
@@ -42,7 +43,7 @@ struct Renderer::Parts {
     bool deviceLost = false;
 
 private:
-    SurfacePath& pathFor(PathId id);
+    SurfacePath& pathFor(PathId id, Evaluator evaluator);
     void checkFrame(const Frame& frame) const;
     void fitTargets(const Frame& frame);
     void updateFrameRecord(const Frame& frame, const SurfacePath& path, SamplingRule sampling, bool capture);
@@ -55,11 +56,12 @@ private:
                                                                         double radiusPx) const;
 
     Buffer frameBuffer_;
-    std::optional<gpu::FrameRecord> frameRecord_;  // what the device holds
-    Pipeline evaluate_;
-    Buffer requests_;
-    Scene wanted_;             // what the last sync() asked for
-    bool sceneIsHeld_ = true;  // the device has it
+    std::optional<gpu::FrameRecord> frameRecord_;       // what the device holds
+    std::unique_ptr<PointEvaluation> pointEvaluation_;  // made when first asked
+    Scene wanted_;                                      // what the last sync() asked for
+    int largestDegree_ = 1;                             // of it
+    Evaluator wish_ = Evaluator::automatic;             // of the last frame
+    bool sceneIsHeld_ = true;                           // the device has it
     std::uint64_t firstUpload_ = 0;
 };
 

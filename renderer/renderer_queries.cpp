@@ -1,7 +1,6 @@
 // What a Renderer answers beside pictures: what is under a pixel, and what its stages computed.
 #include <algorithm>
 
-#include "model/core/check.h"
 #include "renderer/renderer_parts.h"
 
 namespace knotspan {
@@ -30,7 +29,7 @@ std::optional<PickedControlPoint> Renderer::Parts::nearestControlPoint(const Vec
     double nearestDepth = 0;
     const PixelProjection toPixel(frame.camera, frame.width, frame.height);
     const Vec3 forward = frame.camera.forward();
-    const auto look = [&](const GpuScene::Resident& resident) {
+    const auto look = [&](const Resident& resident) {
         const NurbsSurface& surface = resident.object->surface;
         for (int i = 0; i < surface.countU(); ++i)
             for (int j = 0; j < surface.countV(); ++j) {
@@ -72,40 +71,17 @@ std::vector<CapturedVertex> Renderer::Parts::captureVertices(const Frame& frame)
     return vertices;
 }
 
-std::vector<CapturedVertex> Renderer::Parts::evaluate(const std::vector<EvaluationPoint>& points)
+Evaluations Renderer::Parts::evaluate(const std::vector<EvaluationPoint>& points,
+                                      const EvaluationOptions& options)
 {
-    if (points.empty())
-        return {};
-    if (evaluate_.get() == VK_NULL_HANDLE)
-        evaluate_ = makeComputePipeline(device, bindings, "evaluate.comp");
     if (!sceneIsHeld_)
         sync(Scene(wanted_));
-    std::vector<gpu::RequestRecord> requests;
-    for (const EvaluationPoint& point : points) {
-        const auto ksquad = scene.numberOf({point.object, {point.spanU, point.spanV}});
-        if (!ksquad)
-            throw VulkanError(
-                {"There is no such KSQuad on the device", {}, "Ask for one of a visible object"});
-        requests.push_back({*ksquad, {static_cast<float>(point.u), static_cast<float>(point.v)}});
-    }
-    const auto count = static_cast<std::uint32_t>(requests.size());
-    bindings.provide(BINDING_REQUESTS, requests_, requests.size() * sizeof(requests[0]));
-    uploader.write(requests_, 0, std::span<const gpu::RequestRecord>(requests));
-    counters.reserveCapture(count);
-    gpu::FrameRecord frame{};
-    frame.captureCapacity = count;
-    uploadRecord(frame);
-    device.execute([&](VkCommandBuffer commands) {
-        (void)uploader.record(commands);
-        const GroupCount groups = groupsFor(count, EVALUATE_THREADS);
-        bindings.bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE);
-        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, evaluate_.get());
-        vkCmdDispatch(commands, groups.x, groups.y, 1);
-    });
-    uploader.sent();
-    auto vertices = named(counters.readCapture(count));
-    counters.reserveCapture(0);
-    return vertices;
+    const Evaluator evaluator = chosenEvaluator(options.evaluator, largestDegree_, options.precision);
+    if (!pointEvaluation_)
+        pointEvaluation_ = std::make_unique<PointEvaluation>(device, clock);
+    if (options.precision == Precision::float64)
+        return pointEvaluation_->evaluate<double>(scene.residents(), points, evaluator, options.repeats);
+    return pointEvaluation_->evaluate<float>(scene.residents(), points, evaluator, options.repeats);
 }
 
 std::vector<CapturedVertex> Renderer::Parts::named(const std::vector<gpu::CapturedRecord>& records) const
@@ -113,7 +89,7 @@ std::vector<CapturedVertex> Renderer::Parts::named(const std::vector<gpu::Captur
     std::vector<CapturedVertex> vertices;
     vertices.reserve(records.size());
     for (const gpu::CapturedRecord& record : records) {
-        const GpuScene::KsQuadName name = scene.nameOf(record.ksquad);
+        const KsQuadName name = ksquadName(scene.residents(), record.ksquad);
         vertices.push_back({name.object, name.ksquad.spanU, name.ksquad.spanV, record.t.x, record.t.y,
                             Vec3(record.position), Vec3(record.normal)});
     }

@@ -4,30 +4,38 @@
 
 namespace knotspan::testing {
 
-namespace {
-
-KnotVector randomKnots(std::mt19937& random, int degree, int spans, double spanRatio)
+double randomBetween(std::mt19937& random, double low, double high)
 {
-    std::uniform_real_distribution<double> unit(0.0, 1.0);
-    std::vector<double> knots(static_cast<size_t>(degree) + 1, -0.5);
-    double at = -0.5;
+    return std::uniform_real_distribution<double>(low, high)(random);
+}
+
+KnotVector randomKnots(std::mt19937& random, int degree, int spans, double spanRatio, bool clamped)
+{
+    const auto length = [&] { return std::pow(spanRatio, randomBetween(random, 0, 1)); };
+    std::vector<double> knots{-0.5};
+    const auto addEnd = [&] {
+        for (int k = 0; k < degree; ++k)
+            knots.push_back(knots.back() + (clamped ? 0 : length()));
+    };
+    addEnd();
     for (int span = 1; span < spans; ++span) {
-        at += std::pow(spanRatio, unit(random));
-        const int multiplicity = unit(random) < 0.25 ? 1 + static_cast<int>(unit(random) * degree) : 1;
+        const double at = knots.back() + length();
+        const bool several = randomBetween(random, 0, 1) < 0.25;
+        const int multiplicity = several ? 1 + static_cast<int>(randomBetween(random, 0, 1) * degree) : 1;
         knots.insert(knots.end(), static_cast<size_t>(multiplicity), at);
     }
-    knots.insert(knots.end(), static_cast<size_t>(degree) + 1, at + std::pow(spanRatio, unit(random)));
+    knots.push_back(knots.back() + length());
+    addEnd();
     return KnotVector::create(degree, std::move(knots)).value();
 }
 
-}  // namespace
-
 NurbsSurface randomSurface(std::mt19937& random, const RandomSurfaceShape& shape)
 {
-    KnotVector u = randomKnots(random, shape.degreeU, shape.spans, shape.spanRatio);
-    KnotVector v = randomKnots(random, shape.degreeV, shape.spans, shape.spanRatio);
+    KnotVector u = randomKnots(random, shape.degreeU, shape.spans, shape.spanRatio, shape.clamped);
+    KnotVector v = randomKnots(random, shape.degreeV, shape.spans, shape.spanRatio, shape.clamped);
     std::uniform_real_distribution<double> jitter(-0.4, 0.4);
-    std::uniform_real_distribution<double> logWeight(std::log(0.2), std::log(5.0));
+    std::uniform_real_distribution<double> logWeight(-std::log(shape.weightRatio),
+                                                     std::log(shape.weightRatio));
     std::vector<ControlPoint> points;
     for (int i = 0; i < u.controlPointCount(); ++i)
         for (int j = 0; j < v.controlPointCount(); ++j)

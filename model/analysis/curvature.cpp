@@ -1,35 +1,52 @@
 #include "model/analysis/curvature.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include <glm/geometric.hpp>
 
 namespace knotspan {
 
+namespace {
+
+// Also of vectors whose squares are beyond the range of double.
+double length(const Vec3& vector)
+{
+    return std::hypot(vector.x, vector.y, vector.z);
+}
+
+}  // namespace
+
 std::optional<Curvature> curvature(const SurfacePoint& point)
 {
-    const Vec3 cross = glm::cross(point.du, point.dv);
-    const double area = glm::length(cross);
-    const double lengths = glm::length(point.du) * glm::length(point.dv);
-    if (!std::isfinite(area) || !(area > 1e-11 * lengths))
+    const double sizeU = length(point.du);
+    const double sizeV = length(point.dv);
+    if (!(sizeU > 0) || !(sizeV > 0))
         return std::nullopt;
-    const Vec3 normal = cross / area;
+    const Vec3 alongU = point.du / sizeU;
+    const Vec3 alongV = point.dv / sizeV;
+    const Vec3 cross = glm::cross(alongU, alongV);
+    const double sine = length(cross);
+    if (!(sine > 1e-11))
+        return std::nullopt;
+    const Vec3 normal = cross / sine;
+    const double cosine = glm::dot(alongU, alongV);
 
-    const double e1 = glm::dot(point.du, point.du);
-    const double f1 = glm::dot(point.du, point.dv);
-    const double g1 = glm::dot(point.dv, point.dv);
-    const double e2 = glm::dot(point.duu, normal);
-    const double f2 = glm::dot(point.duv, normal);
-    const double g2 = glm::dot(point.dvv, normal);
-    const double squared = area * area;  // e1 g1 - f1 f1, without its cancellation
+    // The second fundamental form per unit of length along both tangents, ...
+    const double uu = glm::dot(point.duu / sizeU, normal) / sizeU;
+    const double uv = glm::dot(point.duv / sizeU, normal) / sizeV;
+    const double vv = glm::dot(point.dvv / sizeV, normal) / sizeV;
+    // ... then in the frame of alongU and what is perpendicular to it. There it is a symmetric matrix whose
+    // eigenvalues are the principal curvatures; at an umbilic, too, nothing cancels.
+    const double a = uu;
+    const double b = (uv - cosine * uu) / sine;
+    const double c = (vv - cosine * (2 * uv - cosine * uu)) / (sine * sine);
 
     Curvature result;
-    result.gauss = (e2 * g2 - f2 * f2) / squared;
-    result.mean = (e2 * g1 - 2 * f2 * f1 + g2 * e1) / (2 * squared);
-    const double half = std::sqrt(std::max(0.0, result.mean * result.mean - result.gauss));
+    result.mean = 0.5 * a + 0.5 * c;
+    const double half = std::hypot(0.5 * a - 0.5 * c, b);
     result.largest = result.mean + half;
     result.smallest = result.mean - half;
+    result.gauss = a * c - b * b;
     if (!std::isfinite(result.gauss) || !std::isfinite(result.largest) || !std::isfinite(result.smallest))
         return std::nullopt;
     return result;

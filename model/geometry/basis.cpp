@@ -13,9 +13,10 @@ void raiseDegree(const KnotVector& knots, int span, double u, int d, BasisRow& r
     for (int r = 0; r < d; ++r) {
         const double left = knots[span + r + 1 - d];
         const double right = knots[span + r + 1];
-        const double share = row[static_cast<size_t>(r)] / (right - left);
-        row[static_cast<size_t>(r)] = saved + (right - u) * share;
-        saved = (u - left) * share;
+        const double before = row[static_cast<size_t>(r)];
+        // Divided first: a part of a span is at most 1, however short the span.
+        row[static_cast<size_t>(r)] = saved + (right - u) / (right - left) * before;
+        saved = (u - left) / (right - left) * before;
     }
     row[static_cast<size_t>(d)] = saved;
 }
@@ -39,25 +40,30 @@ BasisRow differentiate(const KnotVector& knots, int span, int d, const BasisRow&
 
 }  // namespace
 
-BasisDerivatives basisDerivatives(const KnotVector& knots, int span, double u)
+BasisOfDegrees basisOfDegrees(const KnotVector& knots, int span, double u)
 {
     const int p = knots.degree();
     check(span >= p && span < knots.controlPointCount() && knots[span] < knots[span + 1],
           "basis functions are asked for on a span with a length");
+    BasisOfDegrees result{};
     BasisRow row{};
     row[0] = 1;
-    BasisRow twoLower{};  // degree p - 2
-    BasisRow oneLower{};  // degree p - 1
-    for (int d = 1; d <= p; ++d) {
-        if (d == p - 1)
-            twoLower = row;
-        if (d == p)
-            oneLower = row;
-        raiseDegree(knots, span, u, d, row);
+    for (int d = 0; d <= p; ++d) {
+        if (d > 0)
+            raiseDegree(knots, span, u, d, row);
+        if (p - d < 3)
+            result[static_cast<size_t>(p - d)] = row;
     }
-    BasisDerivatives result{row, differentiate(knots, span, p, oneLower), {}};
+    return result;
+}
+
+BasisDerivatives basisDerivatives(const KnotVector& knots, int span, double u)
+{
+    const int p = knots.degree();
+    const BasisOfDegrees basis = basisOfDegrees(knots, span, u);
+    BasisDerivatives result{basis[0], differentiate(knots, span, p, basis[1]), {}};
     if (p >= 2)
-        result[2] = differentiate(knots, span, p, differentiate(knots, span, p - 1, twoLower));
+        result[2] = differentiate(knots, span, p, differentiate(knots, span, p - 1, basis[2]));
     return result;
 }
 

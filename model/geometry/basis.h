@@ -8,12 +8,21 @@
 
 namespace knotspan {
 
-// Row k holds the k-th derivatives of N_{i-p,p} .. N_{i,p}, the only ones that are not zero on span i.
 using BasisRow = std::array<double, kMaxDegree + 1>;
+
+// Row k holds N_{i-p+k,p-k} .. N_{i,p-k}, the functions of degree p - k that are not zero on span i: those by
+// which the control points of a k-th derivative count. Rows of degrees below 0 are 0.
+using BasisOfDegrees = std::array<BasisRow, 3>;
+
+// At u on the span `span` (U_span < U_{span+1}). Nothing cancels: each value is right to a few units of its
+// last place. The NURBS Book, A2.2, with differences of knots only.
+[[nodiscard]] BasisOfDegrees basisOfDegrees(const KnotVector& knots, int span, double u);
+
+// Row k holds the k-th derivatives of N_{i-p,p} .. N_{i,p}, the only ones that are not zero on span i.
 using BasisDerivatives = std::array<BasisRow, 3>;
 
 // Values, first and second derivatives at u on the span `span` (U_span < U_{span+1}). Only columns 0 ..
-// degree are set, the others are 0. The NURBS Book, A2.3, with differences of knots only.
+// degree are set, the others are 0. The NURBS Book, A2.3.
 [[nodiscard]] BasisDerivatives basisDerivatives(const KnotVector& knots, int span, double u);
 
 }  // namespace knotspan

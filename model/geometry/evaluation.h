@@ -16,9 +16,10 @@ struct SurfacePoint {
     Vec3 dvv{};
 };
 
-// At (u, v); parameters outside the domain are taken to its border, interior knots belong to the span on
-// their right. The NURBS Book, A4.4, on coordinates relative to a control point nearby, so that a part far
-// from the origin keeps its digits.
+// At (u, v); parameters outside the domain are taken to its border (NaN to its start), interior knots belong
+// to the span on their right. The NURBS Book, A4.4, on coordinates relative to the point itself, so that
+// neither a place far from the origin nor short spans or uneven weights cost digits. All figures are finite;
+// a derivative beyond the range of double is 0.
 [[nodiscard]] SurfacePoint evaluate(const NurbsSurface& surface, double u, double v);
 
 // A unit normal, S_u x S_v normalised. Where that vanishes (a pole, coincident control points) the limit

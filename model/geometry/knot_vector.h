@@ -4,6 +4,7 @@
 // U_{n+1}]. Clamped and unclamped (uniform, periodic) vectors are both allowed. The NURBS Book, chapter 2.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "model/core/result.h"
@@ -29,6 +30,12 @@ public:
     [[nodiscard]] double operator[](int index) const { return knots_[static_cast<size_t>(index)]; }
     [[nodiscard]] double domainStart() const { return knots_[static_cast<size_t>(degree_)]; }
     [[nodiscard]] double domainEnd() const { return knots_[static_cast<size_t>(controlPointCount())]; }
+
+    // `u`, taken to the domain's nearer end where it lies outside; its start where `u` is no number.
+    [[nodiscard]] double inDomain(double u) const
+    {
+        return u > domainStart() ? std::min(u, domainEnd()) : domainStart();
+    }
 
     // The index i with U_i <= u < U_{i+1}; the last non-empty span at the domain's end (The NURBS Book,
     // A2.1). A parameter outside the domain is taken to its nearer end.

@@ -16,12 +16,18 @@ namespace {
 // this part of their net as one.
 constexpr double kVanishing = 1e-11;
 
+// Also of vectors whose squares are beyond the range of double.
+double length(const Vec3& vector)
+{
+    return std::hypot(vector.x, vector.y, vector.z);
+}
+
 std::optional<Vec3> unit(const Vec3& direction, double atLeast)
 {
-    const double length = glm::length(direction);
-    if (!std::isfinite(length) || !(length > atLeast))
+    const double size = length(direction);
+    if (!std::isfinite(size) || !(size > atLeast))
         return std::nullopt;
-    return direction / length;
+    return direction / size;
 }
 
 // a x b normalised; nothing where the sine of their angle is at most `parallel`.
@@ -54,24 +60,23 @@ struct Noise {
 Noise noiseAt(const NurbsSurface& surface, double u, double v)
 {
     constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
-    const LocalNet net = localNet(surface, u, v);
-    const Vec3 origin = net.origin();
-    const Vec4 s = net.sum(0, 0, origin);
+    const LocalNet net(surface, u, v);
+    const Vec4 first = net.sum(0, 0, Vec3(0));
+    const Vec3 point = Vec3(first) / first.w;
     const auto rounding = [&](int orderU, int orderV) {
-        const Vec4 sizes = net.sumOfSizes(orderU, orderV, origin) / s.w;
-        return kRounding * (glm::length(Vec3(sizes)) + sizes.w * glm::length(Vec3(s) / s.w));
+        return kRounding * length(Vec3(net.sumOfSizes(orderU, orderV, point)) / first.w) / net.shrinking();
     };
     Box box;
-    double lightest = net.point(0, 0).weight;
+    double lightest = net.weight(0, 0);
     double heaviest = lightest;
     for (int i = 0; i <= surface.degreeU(); ++i)
         for (int j = 0; j <= surface.degreeV(); ++j) {
-            box.add(net.point(i, j).position);
-            lightest = std::min(lightest, net.point(i, j).weight);
-            heaviest = std::max(heaviest, net.point(i, j).weight);
+            box.add(net.position(i, j));
+            lightest = std::min(lightest, net.weight(i, j));
+            heaviest = std::max(heaviest, net.weight(i, j));
         }
     // Beside a much heavier point tangents are rightly short.
-    const double sameness = kVanishing * box.diagonal() * (lightest / heaviest);
+    const double sameness = kVanishing * length(box.size()) / net.shrinking() * (lightest / heaviest);
     return {std::max(rounding(1, 0), sameness / domainLength(surface.knotsU())),
             std::max(rounding(0, 1), sameness / domainLength(surface.knotsV()))};
 }
@@ -121,14 +126,14 @@ SurfaceNormal normalFromInside(const NurbsSurface& surface, double u, double v)
 
 SurfaceNormal evaluateNormal(const NurbsSurface& surface, double u, double v)
 {
-    u = std::clamp(u, surface.knotsU().domainStart(), surface.knotsU().domainEnd());
-    v = std::clamp(v, surface.knotsV().domainStart(), surface.knotsV().domainEnd());
+    u = surface.knotsU().inDomain(u);
+    v = surface.knotsV().inDomain(v);
     const SurfacePoint at = evaluate(surface, u, v);
     const Noise noise = noiseAt(surface, u, v);
     const bool hasU = unit(at.du, noise.du).has_value();
     const bool hasV = unit(at.dv, noise.dv).has_value();
     if (hasU && hasV) {
-        const double angleNoise = noise.du / glm::length(at.du) + noise.dv / glm::length(at.dv);
+        const double angleNoise = noise.du / length(at.du) + noise.dv / length(at.dv);
         if (const auto normal = crossed(at.du, at.dv, angleNoise))
             return {*normal, false, true};
     }

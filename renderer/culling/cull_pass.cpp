@@ -16,15 +16,19 @@ void computeBarrier(VkCommandBuffer commands)
 }  // namespace
 
 CullPass::CullPass(const Device& device, Bindings& bindings)
-    : bindings_(bindings),
-      cull_(makeComputePipeline(device, bindings, "cull.comp")),
+    : device_(device),
+      bindings_(bindings),
       scan_(makeComputePipeline(device, bindings, "cull_scan.comp")),
       compact_(makeComputePipeline(device, bindings, "cull_compact.comp"))
 {
 }
 
-void CullPass::prepare(std::uint32_t ksquads, std::uint32_t patchesPerDraw)
+void CullPass::prepare(std::uint32_t ksquads, std::uint32_t patchesPerDraw, Evaluator evaluator)
 {
+    evaluator_ = evaluator;
+    if (cull_.count(evaluator) == 0)
+        cull_[evaluator] =
+            makeComputePipeline(device_, bindings_, "cull.comp", static_cast<std::uint32_t>(evaluator));
     ksquads_ = ksquads;
     drawCount_ = (ksquads + patchesPerDraw - 1) / patchesPerDraw;
     const VkDeviceSize groups = (ksquads + CULL_KSQUADS - 1) / CULL_KSQUADS;
@@ -44,7 +48,7 @@ void CullPass::record(VkCommandBuffer commands) const
                   VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT);
     bindings_.bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE);
     const GroupCount groups = groupsFor(ksquads_, CULL_KSQUADS);
-    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, cull_.get());
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, cull_.at(evaluator_).get());
     vkCmdDispatch(commands, groups.x, groups.y, 1);
     computeBarrier(commands);
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, scan_.get());

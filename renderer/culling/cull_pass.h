@@ -2,6 +2,9 @@
 // into the VisibleList, and the indirect draws that go through it.
 #pragma once
 
+#include <map>
+
+#include "model/geometry/basis_evaluators.h"
 #include "renderer/vulkan/pipeline.h"
 
 namespace knotspan {
@@ -10,8 +13,9 @@ class CullPass {
 public:
     CullPass(const Device& device, Bindings& bindings);
 
-    // Makes room for a scene of that many KSQuads drawn in draws of `patchesPerDraw`.
-    void prepare(std::uint32_t ksquads, std::uint32_t patchesPerDraw);
+    // Makes room for a scene of that many KSQuads drawn in draws of `patchesPerDraw`, evaluated by
+    // `evaluator`.
+    void prepare(std::uint32_t ksquads, std::uint32_t patchesPerDraw, Evaluator evaluator);
 
     // Records the three steps and the barriers around them. The scene and the frame are uploaded.
     void record(VkCommandBuffer commands) const;
@@ -20,8 +24,10 @@ public:
     [[nodiscard]] std::uint32_t drawCount() const { return drawCount_; }
 
 private:
+    const Device& device_;
     Bindings& bindings_;
-    Pipeline cull_;
+    std::map<Evaluator, Pipeline> cull_;  // made when first needed
+    Evaluator evaluator_ = Evaluator::triangular;
     Pipeline scan_;
     Pipeline compact_;
     Buffer visible_;

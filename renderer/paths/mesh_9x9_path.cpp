@@ -10,10 +10,11 @@ constexpr SamplingRule kNineByNine{SamplingRule::Kind::fixed, 8};
 
 class Mesh9x9Path : public SurfacePath {
 public:
-    Mesh9x9Path(const Device& device, const Bindings& bindings)
+    Mesh9x9Path(const Device& device, const Bindings& bindings, Evaluator evaluator)
         : drawMeshTasks_(device.drawMeshTasks()),
           pipeline_(makeGraphicsPipeline(device, bindings,
-                                         {.stages = {"mesh_9x9.task", "mesh_9x9.mesh", "surface.frag"}}))
+                                         {.stages = {"mesh_9x9.task", "mesh_9x9.mesh", "surface.frag"},
+                                          .evaluator = static_cast<std::uint32_t>(evaluator)}))
     {
     }
 
@@ -39,8 +40,9 @@ PathFactory mesh9x9Path()
 {
     return {{PathId::mesh9x9, "mesh-9x9", "Task and mesh stages, every KSQuad as 9 by 9 vertices", false},
             [](const Device& device) { return device.abilities().noMeshStages; },
-            [](const Device& device, const Bindings& bindings) -> std::unique_ptr<SurfacePath> {
-                return std::make_unique<Mesh9x9Path>(device, bindings);
+            [](const Device& device, const Bindings& bindings,
+               Evaluator evaluator) -> std::unique_ptr<SurfacePath> {
+                return std::make_unique<Mesh9x9Path>(device, bindings, evaluator);
             }};
 }
 

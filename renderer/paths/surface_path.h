@@ -1,9 +1,10 @@
-// One way to turn visible KSQuads into triangles. A path is one file with a class and a factory, and one line
-// in path_list.cpp; it knows no other path and no culling.
+// One way to turn visible KSQuads into triangles, with one evaluator. A path is one file with a class and a
+// factory, and one line in path_list.cpp; it knows no other path and no culling.
 #pragma once
 
 #include <memory>
 
+#include "model/geometry/basis_evaluators.h"
 #include "renderer/paths/path_list.h"
 #include "renderer/scene/render_lists.h"
 #include "renderer/vulkan/pipeline.h"
@@ -38,7 +39,8 @@ struct PathFactory {
     PathInfo info;
     // Empty where the device can run it, otherwise the reason as a sentence.
     std::string (*whyUnavailable)(const Device& device);
-    std::unique_ptr<SurfacePath> (*create)(const Device& device, const Bindings& bindings);
+    std::unique_ptr<SurfacePath> (*create)(const Device& device, const Bindings& bindings,
+                                           Evaluator evaluator);
 };
 
 // In the order of paths().

@@ -10,12 +10,13 @@ namespace {
 
 class TessellationPath : public SurfacePath {
 public:
-    TessellationPath(const Device& device, const Bindings& bindings)
+    TessellationPath(const Device& device, const Bindings& bindings, Evaluator evaluator)
         : device_(device),
           pipeline_(makeGraphicsPipeline(
               device, bindings,
               {.stages = {"tessellation.vert", "tessellation.tesc", "tessellation.tese", "surface.frag"},
-               .topology = VK_PRIMITIVE_TOPOLOGY_PATCH_LIST}))
+               .topology = VK_PRIMITIVE_TOPOLOGY_PATCH_LIST,
+               .evaluator = static_cast<std::uint32_t>(evaluator)}))
     {
     }
 
@@ -62,8 +63,9 @@ PathFactory tessellationPath()
     return {{PathId::tessellation, "tessellation",
              "Tessellation stages, KSQuads as patches, finer where they are larger", true},
             [](const Device& device) { return device.abilities().noTessellation; },
-            [](const Device& device, const Bindings& bindings) -> std::unique_ptr<SurfacePath> {
-                return std::make_unique<TessellationPath>(device, bindings);
+            [](const Device& device, const Bindings& bindings,
+               Evaluator evaluator) -> std::unique_ptr<SurfacePath> {
+                return std::make_unique<TessellationPath>(device, bindings, evaluator);
             }};
 }
 

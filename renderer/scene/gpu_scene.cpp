@@ -23,16 +23,17 @@ bool sameShape(const NurbsSurface& a, const NurbsSurface& b)
     return a.knotsU() == b.knotsU() && a.knotsV() == b.knotsV();
 }
 
-// The floats stay good while the object is near the origin it was packed with and its weights are in range.
+// The floats stay good while the object is, for its size, near the origin that it was packed with and its
+// weights are in range.
 bool fits(const PointFrame& packed, const NurbsSurface& surface)
 {
     const PointFrame now = PointFrame::of(surface);
     const double distance = glm::length(now.origin - packed.origin);
     const double ratio = now.weight / packed.weight;
-    return distance + now.extent <= 4.0 * std::max(packed.extent, 1e-30) && ratio < 1e6 && ratio > 1e-6;
+    return distance <= 3.0 * now.extent && ratio < 1e6 && ratio > 1e-6;
 }
 
-gpu::SurfaceView viewOf(const GpuScene::Resident& resident, const Camera& camera, const Mat4& rotation)
+gpu::SurfaceView viewOf(const Resident& resident, const Camera& camera, const Mat4& rotation)
 {
     const Mat4& transform = resident.object->transform;
     const Mat4 inverse = glm::inverse(transform);
@@ -54,11 +55,7 @@ GpuScene::GpuScene(Bindings& bindings, Uploader& uploader) : bindings_(bindings)
 
 void GpuScene::sync(const Scene& scene)
 {
-    std::vector<std::pair<ObjectId, SharedObject>> visible;
-    for (const auto& [id, object] : scene.objects())
-        if (object->visible)
-            visible.emplace_back(id, object);
-
+    const VisibleObjects visible = visibleObjects(scene);
     const bool sameObjects = std::equal(visible.begin(), visible.end(), residents_.begin(), residents_.end(),
                                         [](const auto& wanted, const auto& held) {
                                             return wanted.first == held.id &&
@@ -75,47 +72,38 @@ void GpuScene::sync(const Scene& scene)
     bounds_ = scene.bounds();
 }
 
-GpuScene::Packed GpuScene::pack(const std::vector<std::pair<ObjectId, SharedObject>>& visible)
+void GpuScene::rebuild(const VisibleObjects& visible)
 {
-    Packed packed;
-    for (const auto& [id, object] : visible) {
-        const auto surface = static_cast<std::uint32_t>(packed.residents.size());
-        const auto firstPoint = static_cast<std::uint32_t>(packed.points.size());
-        const auto firstKnot = static_cast<std::uint32_t>(packed.spanKnots.size());
-        const PointFrame frame = PointFrame::of(object->surface);
-        packed.residents.push_back(
-            {id, object, frame, firstPoint, static_cast<std::uint32_t>(packed.ksquads.size())});
-        const PatchTable table = makePatchTable(object->surface);
-        for (gpu::KsQuadRecord record : table.ksquads) {
-            record.surface = surface;
-            record.firstPoint += firstPoint;
-            record.spanU += firstKnot;
-            record.spanV += firstKnot;
-            packed.ksquads.push_back(record);
-        }
-        packed.spanKnots.insert(packed.spanKnots.end(), table.spanKnots.begin(), table.spanKnots.end());
-        const auto points = packPoints(frame, object->surface.controlPoints());
-        packed.points.insert(packed.points.end(), points.begin(), points.end());
-        packed.surfaces.push_back(makeSurfaceRecord(*object, frame, firstPoint));
-    }
-    return packed;
-}
-
-void GpuScene::rebuild(const std::vector<std::pair<ObjectId, SharedObject>>& visible)
-{
-    Packed packed = pack(visible);
+    auto packed = packScene<float>(makeResidents(visible), evaluator_);
     // Where the device refuses, nothing is left that looks as if it were there.
-    residents_.clear();
-    views_.clear();
-    ksquadCount_ = 0;
+    forget();
     provide(surfaceViews_, BINDING_SURFACE_VIEWS, packed.surfaces.size() * sizeof(gpu::SurfaceView));
     send(surfaces_, BINDING_SURFACES, packed.surfaces);
-    send(ksquads_, BINDING_KSQUADS, packed.ksquads);
-    send(spanKnots_, BINDING_SPAN_KNOTS, packed.spanKnots);
+    sendTables(packed.tables);
     send(controlPoints_, BINDING_CONTROL_POINTS, packed.points);
     residents_ = std::move(packed.residents);
-    ksquadCount_ = static_cast<std::uint32_t>(packed.ksquads.size());
+    ksquadCount_ = static_cast<std::uint32_t>(packed.tables.ksquads.size());
     rebuilt_ = true;
+}
+
+void GpuScene::useEvaluator(Evaluator evaluator)
+{
+    if (evaluator == evaluator_)
+        return;
+    evaluator_ = evaluator;
+    const auto tables = packTables<float>(residents_, evaluator);
+    // Where the device refuses, nothing is left that looks as if it were there.
+    auto residents = std::exchange(residents_, {});
+    ksquadCount_ = 0;
+    sendTables(tables);
+    residents_ = std::move(residents);
+    ksquadCount_ = static_cast<std::uint32_t>(tables.ksquads.size());
+}
+
+void GpuScene::sendTables(const PackedTables<float>& tables)
+{
+    send(ksquads_, BINDING_KSQUADS, tables.ksquads);
+    send(spanTables_, BINDING_SPAN_TABLES, tables.spanTables);
 }
 
 void GpuScene::replace(Resident& resident, SharedObject object)
@@ -125,7 +113,7 @@ void GpuScene::replace(Resident& resident, SharedObject object)
     const auto held = makeSurfaceRecord(*resident.object, resident.frame, resident.firstPoint);
     if (before != after && !fits(resident.frame, object->surface)) {
         resident.frame = PointFrame::of(object->surface);
-        const auto packed = packPoints(resident.frame, after);
+        const auto packed = packPoints<float>(resident.frame, after);
         uploader_.write(controlPoints_, resident.firstPoint, all(packed));
     } else {
         // Runs of changed points: a row that was pulled along v costs its points, not all between them.
@@ -133,7 +121,8 @@ void GpuScene::replace(Resident& resident, SharedObject object)
             size_t end = first;
             while (end < after.size() && !(before[end] == after[end]))
                 ++end;
-            const auto packed = packPoints(resident.frame, std::span(after).subspan(first, end - first));
+            const auto packed =
+                packPoints<float>(resident.frame, std::span(after).subspan(first, end - first));
             uploader_.write(controlPoints_, resident.firstPoint + first, all(packed));
             first = end + 1;
         }
@@ -167,43 +156,6 @@ void GpuScene::updateViews(const Camera& camera, const std::vector<ObjectId>& hi
         return;
     views_ = std::move(views);
     uploader_.write(surfaceViews_, 0, all(views_));
-}
-
-const GpuScene::Resident* GpuScene::find(ObjectId id) const
-{
-    const auto found =
-        std::lower_bound(residents_.begin(), residents_.end(), id,
-                         [](const Resident& resident, ObjectId wanted) { return resident.id < wanted; });
-    return found != residents_.end() && found->id == id ? &*found : nullptr;
-}
-
-GpuScene::KsQuadName GpuScene::nameOf(std::uint32_t ksquad) const
-{
-    check(ksquad < ksquadCount_, "the KSQuad is one of the scene");
-    const auto next =
-        std::upper_bound(residents_.begin(), residents_.end(), ksquad,
-                         [](std::uint32_t k, const Resident& resident) { return k < resident.firstKsquad; });
-    const Resident& resident = *(next - 1);
-    const auto& spansU = resident.object->surface.knotsU().spans();
-    const auto& spansV = resident.object->surface.knotsV().spans();
-    const size_t local = ksquad - resident.firstKsquad;
-    return {resident.id, {spansU[local / spansV.size()], spansV[local % spansV.size()]}};
-}
-
-std::optional<std::uint32_t> GpuScene::numberOf(const KsQuadName& name) const
-{
-    const Resident* resident = find(name.object);
-    if (resident == nullptr)
-        return std::nullopt;
-    const auto& spansU = resident->object->surface.knotsU().spans();
-    const auto& spansV = resident->object->surface.knotsV().spans();
-    const auto u = std::lower_bound(spansU.begin(), spansU.end(), name.ksquad.spanU);
-    const auto v = std::lower_bound(spansV.begin(), spansV.end(), name.ksquad.spanV);
-    if (u == spansU.end() || *u != name.ksquad.spanU || v == spansV.end() || *v != name.ksquad.spanV)
-        return std::nullopt;
-    return resident->firstKsquad +
-           static_cast<std::uint32_t>(static_cast<size_t>(u - spansU.begin()) * spansV.size() +
-                                      static_cast<size_t>(v - spansV.begin()));
 }
 
 void GpuScene::provide(Buffer& buffer, int binding, VkDeviceSize bytes)

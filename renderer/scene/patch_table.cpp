@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <unordered_map>
 
 #include <glm/common.hpp>
@@ -12,19 +13,14 @@ namespace knotspan {
 
 namespace {
 
-// Beyond 1e30 spans the share of the neighbour is less than float can tell from nothing.
-float normalised(double difference, double length)
-{
-    return static_cast<float>(std::min(difference / length, 1e30));
-}
-
-// Where each span of a direction starts in the packed knots, in the order of KnotVector::spans().
-std::vector<std::uint32_t> packDirection(const KnotVector& knots, std::vector<float>& to)
+// Where the table of each span of a direction starts, in the order of KnotVector::spans().
+template <class Real>
+std::vector<std::uint32_t> packDirection(const KnotVector& knots, Evaluator evaluator, std::vector<Real>& to)
 {
     std::vector<std::uint32_t> starts;
     for (const int span : knots.spans()) {
         starts.push_back(static_cast<std::uint32_t>(to.size()));
-        appendSpanKnots(knots, span, to);
+        appendSpanTable(evaluator, knots, span, to);
     }
     return starts;
 }
@@ -37,21 +33,12 @@ float linear(double encoded)
 
 }  // namespace
 
-void appendSpanKnots(const KnotVector& knots, int span, std::vector<float>& to)
+template <class Real>
+PatchTable<Real> makePatchTable(const NurbsSurface& surface, Evaluator evaluator)
 {
-    const double start = knots[span];
-    const double end = knots[span + 1];
-    for (int j = 1; j <= knots.degree(); ++j)
-        to.push_back(normalised(start - knots[span + 1 - j], end - start));
-    for (int j = 1; j <= knots.degree(); ++j)
-        to.push_back(normalised(knots[span + j] - end, end - start));
-}
-
-PatchTable makePatchTable(const NurbsSurface& surface)
-{
-    PatchTable table;
-    const auto startsU = packDirection(surface.knotsU(), table.spanKnots);
-    const auto startsV = packDirection(surface.knotsV(), table.spanKnots);
+    PatchTable<Real> table;
+    const auto startsU = packDirection(surface.knotsU(), evaluator, table.spanTables);
+    const auto startsV = packDirection(surface.knotsV(), evaluator, table.spanTables);
     table.ksquads.reserve(startsU.size() * startsV.size());
     for (size_t a = 0; a < startsU.size(); ++a)
         for (size_t b = 0; b < startsV.size(); ++b) {
@@ -62,6 +49,9 @@ PatchTable makePatchTable(const NurbsSurface& surface)
         }
     return table;
 }
+
+template PatchTable<float> makePatchTable(const NurbsSurface&, Evaluator);
+template PatchTable<double> makePatchTable(const NurbsSurface&, Evaluator);
 
 PointFrame PointFrame::of(const NurbsSurface& surface)
 {
@@ -77,20 +67,28 @@ PointFrame PointFrame::of(const NurbsSurface& surface)
     return frame;
 }
 
-gpu::vec4 PointFrame::pack(const ControlPoint& point) const
+Vec4 PointFrame::pack(const ControlPoint& point) const
 {
     // Not zero: a point of no weight that shapes a KSQuad alone would be nowhere.
     const double scaled = std::max(point.weight / weight, 1e-30);
-    return gpu::vec4(Vec4((point.position - origin) * scaled, scaled));
+    return {(point.position - origin) * scaled, scaled};
 }
 
-std::vector<gpu::vec4> packPoints(const PointFrame& frame, std::span<const ControlPoint> points)
+template <class Real>
+std::vector<glm::vec<4, Real>> packPoints(const PointFrame& frame, std::span<const ControlPoint> points)
 {
-    std::vector<gpu::vec4> packed(points.size());
-    std::transform(points.begin(), points.end(), packed.begin(),
-                   [&](const ControlPoint& point) { return frame.pack(point); });
+    std::vector<glm::vec<4, Real>> packed(points.size());
+    // Sums and quotients of numbers below this stay finite; a surface beyond it is drawn, not rightly, but as
+    // numbers.
+    constexpr double kLargest = std::numeric_limits<Real>::max() / 1e8;
+    std::transform(points.begin(), points.end(), packed.begin(), [&](const ControlPoint& point) {
+        return glm::vec<4, Real>(glm::clamp(frame.pack(point), -kLargest, kLargest));
+    });
     return packed;
 }
+
+template std::vector<glm::vec<4, float>> packPoints(const PointFrame&, std::span<const ControlPoint>);
+template std::vector<glm::vec<4, double>> packPoints(const PointFrame&, std::span<const ControlPoint>);
 
 gpu::SurfaceRecord makeSurfaceRecord(const SceneObject& object, const PointFrame& frame,
                                      std::uint32_t firstPoint)

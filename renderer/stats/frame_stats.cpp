@@ -108,6 +108,7 @@ const std::vector<StatField>& statFields()
         KNOTSPAN_FIELD("path", "Path", "", path),
         KNOTSPAN_FIELD("culling", "Culling", "", culling),
         KNOTSPAN_FIELD("sampling", "Sampling", "", sampling),
+        KNOTSPAN_FIELD("evaluator", "Evaluator", "", evaluator),
         KNOTSPAN_FIELD("tolerance_px", "Tolerance", "px", tolerancePx),
         {"width", "Width", "px", [](const FrameStats& s) -> StatValue { return std::uint64_t(s.width); }},
         {"height", "Height", "px", [](const FrameStats& s) -> StatValue { return std::uint64_t(s.height); }},

@@ -24,6 +24,7 @@ struct FrameStats {
     std::string path;
     std::vector<std::string> culling;
     std::string sampling;
+    std::string evaluator;  // the one in use, never "auto"
     double tolerancePx = 0;
     int width = 0;
     int height = 0;

@@ -132,6 +132,8 @@ void Device::findAbilities()
     if (features.features.tessellationShader == VK_FALSE ||
         features.features.vertexPipelineStoresAndAtomics == VK_FALSE)
         abilities_.noTessellation = "This device (" + name_ + ") has no tessellation stages that can count";
+    if (features.features.shaderFloat64 == VK_FALSE)
+        abilities_.noDouble = "This device (" + name_ + ") does not compute in double";
     abilities_.maxTessellationLevel = std::min(64U, properties_.limits.maxTessellationGenerationLevel);
     abilities_.swapchain = hasExtension(physical_, VK_KHR_SWAPCHAIN_EXTENSION_NAME);
 
@@ -162,6 +164,7 @@ void Device::createLogicalDevice()
     features.pNext = &features12;
     features.features.tessellationShader = tessellation ? VK_TRUE : VK_FALSE;
     features.features.vertexPipelineStoresAndAtomics = tessellation ? VK_TRUE : VK_FALSE;
+    features.features.shaderFloat64 = abilities_.noDouble.empty() ? VK_TRUE : VK_FALSE;
     VkPhysicalDeviceFeatures present;
     vkGetPhysicalDeviceFeatures(physical_, &present);
     features.features.multiDrawIndirect = present.multiDrawIndirect;

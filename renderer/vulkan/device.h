@@ -13,6 +13,7 @@ namespace knotspan {
 struct DeviceAbilities {
     std::string noMeshStages;
     std::string noTessellation;
+    std::string noDouble;  // for the compute stage
     std::uint32_t maxTessellationLevel = 64;
     // Mesa's software driver draws wrongly above 65,535 tessellated vertices a draw; 0: no such limit.
     std::uint32_t tessellatedVerticesPerDraw = 0;

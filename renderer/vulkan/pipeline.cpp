@@ -48,6 +48,20 @@ VkPipelineShaderStageCreateInfo stageInfo(VkShaderModule module, VkShaderStageFl
     return info;
 }
 
+// The specialization constants, the same for all stages; a stage takes those that it names. It stays where it
+// was made.
+struct Specialization {
+    Specialization(bool lines, std::uint32_t evaluator) : values{lines ? VK_TRUE : VK_FALSE, evaluator} {}
+    Specialization(const Specialization&) = delete;
+    Specialization& operator=(const Specialization&) = delete;
+
+    static constexpr VkSpecializationMapEntry kEntries[] = {
+        {KNOTSPAN_LINES_CONSTANT, 0, sizeof(std::uint32_t)},
+        {KNOTSPAN_EVALUATOR_CONSTANT, sizeof(std::uint32_t), sizeof(std::uint32_t)}};
+    std::uint32_t values[2];
+    VkSpecializationInfo info{2, kEntries, sizeof(values), values};
+};
+
 // The state that does not come from shaders. Its parts point at one another, so it stays where it was made.
 struct FixedState {
     explicit FixedState(const GraphicsPipelineInfo& info)
@@ -197,16 +211,13 @@ void Bindings::push(VkCommandBuffer commands, const void* data, std::uint32_t by
 Pipeline makeGraphicsPipeline(const Device& device, const Bindings& bindings,
                               const GraphicsPipelineInfo& info)
 {
-    const VkBool32 lines = info.lines ? VK_TRUE : VK_FALSE;
-    const VkSpecializationMapEntry entry{0, 0, sizeof(lines)};
-    const VkSpecializationInfo specialization{1, &entry, sizeof(lines), &lines};
+    const Specialization specialization(info.lines, info.evaluator);
     std::vector<ShaderModule> modules;
     std::vector<VkPipelineShaderStageCreateInfo> stages;
     for (const char* file : info.stages) {
         modules.push_back(makeModule(device, file));
         stages.push_back(stageInfo(modules.back().get(), stageOf(file)));
-        if (info.overlay)
-            stages.back().pSpecializationInfo = &specialization;
+        stages.back().pSpecializationInfo = &specialization.info;
     }
 
     const FixedState state(info);
@@ -233,11 +244,14 @@ Pipeline makeGraphicsPipeline(const Device& device, const Bindings& bindings,
     return {device.get(), pipeline};
 }
 
-Pipeline makeComputePipeline(const Device& device, const Bindings& bindings, const char* stage)
+Pipeline makeComputePipeline(const Device& device, const Bindings& bindings, const char* stage,
+                             std::uint32_t evaluator)
 {
+    const Specialization specialization(false, evaluator);
     const ShaderModule module = makeModule(device, stage);
     VkComputePipelineCreateInfo create{VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
     create.stage = stageInfo(module.get(), stageOf(stage));
+    create.stage.pSpecializationInfo = &specialization.info;
     create.layout = bindings.layout();
     VkPipeline pipeline = VK_NULL_HANDLE;
     vkCheck(vkCreateComputePipelines(device.get(), VK_NULL_HANDLE, 1, &create, nullptr, &pipeline),

@@ -43,13 +43,15 @@ struct GraphicsPipelineInfo {
     std::initializer_list<const char*> stages;  // file names: "surface.frag"
     VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
     bool overlay = false;  // blended, writes neither depth nor the surface's index
-    bool lines = false;    // the specialization constant 0 of the overlay stages
+    bool lines = false;    // for overlays
+    std::uint32_t evaluator = 0;
 };
 
 // Overlay pipelines set their depth comparison when they draw.
 [[nodiscard]] Pipeline makeGraphicsPipeline(const Device& device, const Bindings& bindings,
                                             const GraphicsPipelineInfo& info);
-[[nodiscard]] Pipeline makeComputePipeline(const Device& device, const Bindings& bindings, const char* stage);
+[[nodiscard]] Pipeline makeComputePipeline(const Device& device, const Bindings& bindings, const char* stage,
+                                           std::uint32_t evaluator = 0);
 
 // Groups for `count` items of work in two dimensions, because one holds only 65,535.
 struct GroupCount {

@@ -3,10 +3,11 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
+#include "../shared/bindings.h"
 #include "../shared/layouts.h"
 
 layout(push_constant, scalar) uniform Constants { OverlayConstants overlay; };
-layout(constant_id = 0) const bool kLines = false;
+layout(constant_id = KNOTSPAN_LINES_CONSTANT) const bool kLines = false;
 layout(location = 0) out vec4 outColour;
 
 void main()

@@ -6,7 +6,7 @@
 #include "../shared/scene.glsl"
 
 layout(push_constant, scalar) uniform Constants { OverlayConstants overlay; };
-layout(constant_id = 0) const bool kLines = false;
+layout(constant_id = KNOTSPAN_LINES_CONSTANT) const bool kLines = false;
 
 // Lines: first those along v (countU rows of countV - 1), then those along u; two vertices each.
 uint lineEnd(uint vertex)

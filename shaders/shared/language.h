@@ -1,7 +1,8 @@
 // Lets one text be GLSL and C++: the few words in which the languages differ.
 //
-// In C++ the functions are templates on the scalar and on the source of knots and control points; in GLSL the
-// scalar is float and the source is whatever the including stage bound (spanKnot(), controlPoint()).
+// In C++ the functions are templates on the evaluator, the scalar and the source of span tables and control points; in
+// GLSL the evaluator is a specialization constant, the scalar is float unless the stage defines KNOTSPAN_DOUBLE, and the
+// source is whatever it bound (spanTable(), controlPoint()).
 #ifndef KNOTSPAN_LANGUAGE_H
 #define KNOTSPAN_LANGUAGE_H
 
@@ -20,9 +21,14 @@
 
 #define KNOTSPAN_TEMPLATE template <class Real>
 #define KNOTSPAN_SOURCE_TEMPLATE template <class Real, class Source>
+#define KNOTSPAN_EVALUATOR_TEMPLATE template <auto evaluator, class Real, class Source>
+#define KNOTSPAN_IF_EVALUATOR(number) if constexpr (static_cast<uint>(evaluator) == number)
 #define KNOTSPAN_SOURCE const Source &source,
 #define KNOTSPAN_PASS_SOURCE source,
+#define KNOTSPAN_TABLE(index) source.spanTable(index)
+#define KNOTSPAN_POINT(index) source.controlPoint(index)
 #define KNOTSPAN_OF_REAL <Real>
+#define KNOTSPAN_VEC2 glm::vec<2, Real>
 #define KNOTSPAN_VEC3 glm::vec<3, Real>
 #define KNOTSPAN_VEC4 glm::vec<4, Real>
 
@@ -40,12 +46,26 @@ using glm::vec4;
 
 #define KNOTSPAN_TEMPLATE
 #define KNOTSPAN_SOURCE_TEMPLATE
+#define KNOTSPAN_EVALUATOR_TEMPLATE
+#define KNOTSPAN_IF_EVALUATOR(number) if (evaluator == uint(number))
 #define KNOTSPAN_SOURCE
 #define KNOTSPAN_PASS_SOURCE
+#define KNOTSPAN_TABLE(index) spanTable(index)
+#define KNOTSPAN_POINT(index) controlPoint(index)
 #define KNOTSPAN_OF_REAL
+#ifdef KNOTSPAN_DOUBLE
+#define Real double
+#define KNOTSPAN_ROUNDING 1e-14lf  // of a coordinate, by evaluation
+#define KNOTSPAN_VEC2 dvec2
+#define KNOTSPAN_VEC3 dvec3
+#define KNOTSPAN_VEC4 dvec4
+#else
 #define Real float
+#define KNOTSPAN_ROUNDING 1e-6  // of a coordinate, by evaluation
+#define KNOTSPAN_VEC2 vec2
 #define KNOTSPAN_VEC3 vec3
 #define KNOTSPAN_VEC4 vec4
+#endif
 
 #endif
 #endif

@@ -15,7 +15,7 @@ namespace knotspan::gpu {
 
 // What all stages know of the picture. Lengths on screen are pixels.
 struct FrameRecord {
-    mat4 projection;  // eye-relative view space to clip space, reversed depth
+    mat4 projection;      // eye-relative view space to clip space, reversed depth
     float pixelsPerUnit;  // of a unit at distance 1 (perspective) or anywhere (orthographic)
     float diePx;          // area rule: the longest edge of a KSDie
     uint fixedDice;       // fixed rule: KSDice along each side; 0: the area rule
@@ -24,18 +24,18 @@ struct FrameRecord {
     uint ksquadCount;
     uint shading;
     uint flags;
-    uint patchesPerDraw;  // what one draw of the tessellation path may hold
-    uint captureCapacity;
+    uint patchesPerDraw;   // what one draw of the tessellation path may hold
+    uint captureCapacity;  // vertices; of the compute stage: requests
 };
 
 // A surface: what does not depend on the view.
 struct SurfaceRecord {
     uint degreeU;
     uint degreeV;
-    uint stride;       // control points in a row of the net (countV)
-    uint firstPoint;   // of the whole net
-    vec3 corners[4];   // S at (u,v) = (0,0), (1,0), (0,1), (1,1) of the domain, relative to its origin
-    vec3 colour;       // linear
+    uint stride;      // control points in a row of the net (countV)
+    uint firstPoint;  // of the whole net
+    vec3 corners[4];  // S at (u,v) = (0,0), (1,0), (0,1), (1,1) of the domain, relative to its origin
+    vec3 colour;      // linear
 };
 
 // A surface as this frame's camera sees it; made in double.
@@ -50,11 +50,12 @@ struct SurfaceView {
 struct KsQuadRecord {
     uint surface;
     uint firstPoint;  // B_{i-p,j-q}
-    uint spanU;       // where its spans start in the span knots (nurbs_basis.glsl)
+    uint spanU;       // where the tables of its spans start (nurbs_basis.glsl)
     uint spanV;
 };
 
-// What the stages count. Cleared before each frame. Pairs are the low and high words of a number beyond 32 bits.
+// What the stages count. Cleared before each frame. Pairs are the low and high words of a number beyond 32
+// bits.
 struct Counters {
     uint culled[KNOTSPAN_CULL_MODE_COUNT];
     uint drawn;
@@ -64,16 +65,26 @@ struct Counters {
     uint evaluations[2];
 };
 
-// A vertex as a stage computed it, and a request for one.
+// A vertex as a stage computed it.
 struct CapturedRecord {
     uint ksquad;
     vec2 t;
     vec3 position;
     vec3 normal;
 };
+
+// What the compute stage is to evaluate, and what it gives: in float and in double.
+KNOTSPAN_TEMPLATE
 struct RequestRecord {
     uint ksquad;
-    vec2 t;
+    KNOTSPAN_VEC2 t;
+};
+KNOTSPAN_TEMPLATE
+struct EvaluatedRecord {
+    KNOTSPAN_VEC3 position;
+    KNOTSPAN_VEC3 du;  // by the span's t
+    KNOTSPAN_VEC3 dv;
+    KNOTSPAN_VEC3 normal;  // unit
 };
 
 // VkDrawIndirectCommand.
@@ -97,7 +108,9 @@ struct OverlayConstants {
 
 #ifdef __cplusplus
 static_assert(sizeof(FrameRecord) == 104 && sizeof(SurfaceRecord) == 76 && sizeof(SurfaceView) == 72);
-static_assert(sizeof(KsQuadRecord) == 16 && sizeof(CapturedRecord) == 36 && sizeof(RequestRecord) == 12);
+static_assert(sizeof(KsQuadRecord) == 16 && sizeof(CapturedRecord) == 36);
+static_assert(sizeof(RequestRecord<float>) == 12 && sizeof(RequestRecord<double>) == 24);
+static_assert(sizeof(EvaluatedRecord<float>) == 48 && sizeof(EvaluatedRecord<double>) == 96);
 static_assert(sizeof(DrawRecord) == 16 && sizeof(OverlayConstants) == 36);
 }  // namespace knotspan::gpu
 #endif

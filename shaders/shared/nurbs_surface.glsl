@@ -30,7 +30,7 @@ SurfaceSample KNOTSPAN_OF_REAL contractNet(KNOTSPAN_SOURCE uint firstPoint, uint
         KNOTSPAN_VEC4 row = KNOTSPAN_VEC4(Real(0));
         KNOTSPAN_VEC4 rowV = KNOTSPAN_VEC4(Real(0));
         for (int j = 0; j <= degreeV; ++j) {
-            KNOTSPAN_VEC4 point = controlPoint(firstPoint + uint(i) * stride + uint(j));
+            KNOTSPAN_VEC4 point = KNOTSPAN_POINT(firstPoint + uint(i) * stride + uint(j));
             row += basisV.value[j] * point;
             rowV += basisV.slope[j] * point;
         }

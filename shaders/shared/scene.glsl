@@ -11,11 +11,11 @@ layout(set = 0, binding = BINDING_FRAME, scalar) readonly buffer FrameBuffer { F
 layout(set = 0, binding = BINDING_SURFACES, scalar) readonly buffer SurfaceBuffer { SurfaceRecord surfaces[]; };
 layout(set = 0, binding = BINDING_SURFACE_VIEWS, scalar) readonly buffer ViewBuffer { SurfaceView surfaceViews[]; };
 layout(set = 0, binding = BINDING_KSQUADS, scalar) readonly buffer KsQuadBuffer { KsQuadRecord ksquads[]; };
-layout(set = 0, binding = BINDING_SPAN_KNOTS, scalar) readonly buffer KnotBuffer { float spanKnots[]; };
-layout(set = 0, binding = BINDING_CONTROL_POINTS, scalar) readonly buffer PointBuffer { vec4 controlPoints[]; };
+layout(set = 0, binding = BINDING_SPAN_TABLES, scalar) readonly buffer TableBuffer { Real spanTables[]; };
+layout(set = 0, binding = BINDING_CONTROL_POINTS, scalar) readonly buffer PointBuffer { KNOTSPAN_VEC4 controlPoints[]; };
 
-float spanKnot(uint index) { return spanKnots[index]; }
-vec4 controlPoint(uint index) { return controlPoints[index]; }
+Real spanTable(uint index) { return spanTables[index]; }
+KNOTSPAN_VEC4 controlPoint(uint index) { return controlPoints[index]; }
 
 #include "nurbs_surface.glsl"
 
@@ -26,64 +26,64 @@ SurfaceSample sampleWithBasis(KsQuadRecord ksquad, Basis basisU, Basis basisV)
                        int(surfaces[ksquad.surface].degreeV), basisU, basisV);
 }
 
-SurfaceSample sampleKsQuad(KsQuadRecord ksquad, vec2 t)
+SurfaceSample sampleKsQuad(KsQuadRecord ksquad, KNOTSPAN_VEC2 t)
 {
     return sampleWithBasis(ksquad, evaluateBasis(ksquad.spanU, int(surfaces[ksquad.surface].degreeU), t.x),
                            evaluateBasis(ksquad.spanV, int(surfaces[ksquad.surface].degreeV), t.y));
 }
 
-vec3 positionOf(KsQuadRecord ksquad, vec2 t)
+KNOTSPAN_VEC3 positionOf(KsQuadRecord ksquad, KNOTSPAN_VEC2 t)
 {
     uint stride = surfaces[ksquad.surface].stride;
     int degreeU = int(surfaces[ksquad.surface].degreeU);
     int degreeV = int(surfaces[ksquad.surface].degreeV);
-    BasisValues basisU = evaluateBasisValues(ksquad.spanU, degreeU, degreeU, t.x);
-    BasisValues basisV = evaluateBasisValues(ksquad.spanV, degreeV, degreeV, t.y);
-    vec4 sum = vec4(0.0);
+    BasisValues basisU = evaluateBasisValues(ksquad.spanU, degreeU, t.x);
+    BasisValues basisV = evaluateBasisValues(ksquad.spanV, degreeV, t.y);
+    KNOTSPAN_VEC4 sum = KNOTSPAN_VEC4(0.0);
     for (int i = 0; i <= degreeU; ++i)
         for (int j = 0; j <= degreeV; ++j)
             sum += basisU.value[i] * basisV.value[j] * controlPoint(ksquad.firstPoint + uint(i) * stride + uint(j));
     return sum.xyz / sum.w;
 }
 
-float largest(vec3 v) { return max(max(abs(v.x), abs(v.y)), abs(v.z)); }
+Real largest(KNOTSPAN_VEC3 v) { return max(max(abs(v.x), abs(v.y)), abs(v.z)); }
 
 // The direction of v whatever its length: squares of very small or large numbers would leave float. Zero for zero.
-vec3 directionOf(vec3 v)
+KNOTSPAN_VEC3 directionOf(KNOTSPAN_VEC3 v)
 {
-    float scale = largest(v);
-    return scale > 0.0 ? normalize(v / scale) : vec3(0.0);
+    Real scale = largest(v);
+    return scale > 0.0 ? normalize(v / scale) : KNOTSPAN_VEC3(0.0);
 }
 
 struct SurfaceVertex {
-    vec3 position;
-    vec3 normal;  // unit
+    SurfaceSample at;
+    KNOTSPAN_VEC3 normal;  // unit
 };
 
 // Where the tangents tell no normal (one is zero or all rounding error, as at a pole, or both point the same way), it
 // is that of the nearest point a little further inside the KSQuad whose tangents do. One loop, so that the
 // evaluation stands in a stage once: the software driver compiles it for seconds.
-SurfaceVertex vertexOf(KsQuadRecord ksquad, vec2 t)
+SurfaceVertex vertexOf(KsQuadRecord ksquad, KNOTSPAN_VEC2 t)
 {
-    const float kRounding = 1e-6;
+    const Real kLeastSine = 32.0 * KNOTSPAN_ROUNDING;
     SurfaceVertex vertex;
-    vertex.normal = vec3(0.0);
-    float inwards = 0.0;
+    vertex.normal = KNOTSPAN_VEC3(0.0);
+    Real inwards = 0.0;
     for (int attempt = 0; attempt < 5; ++attempt) {
-        SurfaceSample at = sampleKsQuad(ksquad, mix(t, vec2(0.5), inwards));
+        SurfaceSample at = sampleKsQuad(ksquad, mix(t, KNOTSPAN_VEC2(0.5), inwards));
         if (attempt == 0)
-            vertex.position = at.position;
-        vec3 n = cross(directionOf(at.du), directionOf(at.dv));
-        float rounding = kRounding * largest(at.position);
-        bool tells = min(largest(at.du), largest(at.dv)) > rounding && dot(n, n) > 1e-9;
-        if (tells || vertex.normal == vec3(0.0))
+            vertex.at = at;
+        KNOTSPAN_VEC3 n = cross(directionOf(at.du), directionOf(at.dv));
+        Real rounding = KNOTSPAN_ROUNDING * largest(at.position);
+        bool tells = min(largest(at.du), largest(at.dv)) > rounding && dot(n, n) > kLeastSine * kLeastSine;
+        if (tells || vertex.normal == KNOTSPAN_VEC3(0.0))
             vertex.normal = directionOf(n);
         if (tells)
             break;
         inwards = max(8.0 * inwards, 0.0009765625);
     }
-    if (vertex.normal == vec3(0.0))
-        vertex.normal = vec3(0.0, 0.0, 1.0);
+    if (vertex.normal == KNOTSPAN_VEC3(0.0))
+        vertex.normal = KNOTSPAN_VEC3(0.0, 0.0, 1.0);
     return vertex;
 }
 
@@ -94,7 +94,7 @@ vec3 normalToView(uint surface, vec3 normal)
 {
     mat4x3 m = surfaceViews[surface].modelView;
     mat3 cofactors = mat3(cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1]));
-    return directionOf(cofactors * normal);
+    return vec3(directionOf(cofactors * normal));
 }
 
 vec4 toClip(vec3 viewPosition) { return frame.projection * vec4(viewPosition, 1.0); }

@@ -16,11 +16,11 @@ void main()
     KsQuadRecord ksquad = ksquads[index];
     vec2 t = gl_TessCoord.xy;
     SurfaceVertex vertex = vertexOf(ksquad, t);
-    vec3 viewPosition = toView(ksquad.surface, vertex.position);
+    vec3 viewPosition = toView(ksquad.surface, vertex.at.position);
     gl_Position = toClip(viewPosition);
     outPosition = viewPosition;
     outNormal = normalToView(ksquad.surface, vertex.normal);
     outT = t;
     outKsquad = index;
-    captureVertex(index, t, vertex.position, vertex.normal);
+    captureVertex(index, t, vertex.at.position, vertex.normal);
 }

@@ -30,6 +30,7 @@ protected:
         expectFailure({"convert", path, out + "/out.knotspan"}, path.string());
         expectFailure({"evaluate", path, "--surface", "0", "--at", "0,0"}, path.string());
         expectFailure({"render", path, "-o", out + "/out.png", "--stats", out + "/out.json"}, path.string());
+        expectFailure({"measure", path, "--plot", out + "/out.svg"}, path.string());
         EXPECT_TRUE(fs::is_empty(out));
     }
 

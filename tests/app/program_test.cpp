@@ -17,7 +17,8 @@ TEST(Program, HelpAndVersionGoToStandardOutput)
                                                {"convert", "--help"},
                                                {"info", "--help"},
                                                {"sample", "--help"},
-                                               {"evaluate", "--help"}}) {
+                                               {"evaluate", "--help"},
+                                               {"measure", "--help"}}) {
         const ProgramRun run = runProgram(call);
         EXPECT_EQ(run.exitCode, 0);
         EXPECT_NE(run.output, "");

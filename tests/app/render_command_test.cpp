@@ -119,7 +119,7 @@ TEST_F(RenderCommand, RefusesWrongCalls)
                                                {"--sampling", "x"},
                                                {"--tolerance", "0"},
                                                {"--tolerance", "nan"},
-                                               {"--evaluator", "stair"},
+                                               {"--evaluator", "banana"},
                                                {"--view", "banana"},
                                                {"--eye", "1,2"},
                                                {"--target", "1,2,3"},

@@ -112,6 +112,10 @@ std::string libraryRefusal(const FolderRule& rule, const std::string& included)
     if (startsWith(included, "CLI/") && rule.folder != "app") {
         return "reads no command line";
     }
+    if (startsWith(included, "hwy/") && rule.folder != "model/geometry" &&
+        !covers("benchmarks", rule.folder)) {
+        return "leaves SIMD to model/geometry";
+    }
     if (startsWith(included, "gtest/")) {
         return "is no test";
     }
@@ -201,6 +205,10 @@ std::vector<FolderRule> makeRules()
          .mayInclude = {"app", "ui", "renderer", "model", "shaders/shared"},
          .disk = Disk::yes,
          .qt = true},
+        // The peers that it measures beside ours.
+        {.folder = "benchmarks/evaluation",
+         .mayInclude = values + Folders{"benchmarks/evaluation"},
+         .openCascade = true},
         {.folder = "shaders", .mayInclude = {}},
         {.folder = "shaders/shared", .mayInclude = {}},
         {.folder = "shaders/surface", .mayInclude = {"shaders/shared", "shaders/culling"}},

@@ -51,6 +51,34 @@ TEST_F(Sync, SendsTheRecordOfASurfaceWhoseCornerMoved)
     EXPECT_EQ(bytesOfNextFrame(), 16U + 76U);
 }
 
+// Nine bicubic patches: two tables of (p + 1)^2 floats and a record of 16 bytes for each.
+TEST_F(Sync, SendsTablesAndTheirPlacesForAnotherEvaluatorAndDrawsTheSame)
+{
+    SetUpScene();
+    frame.evaluator = Evaluator::triangular;
+    const Picture before = drawn(*renderer, scene, frame).picture;
+    frame.evaluator = Evaluator::power;
+    const Drawn after = drawn(*renderer, scene, frame);
+    EXPECT_EQ(after.stats.evaluator, "power");
+    EXPECT_EQ(after.stats.uploadBytesPerFrame, 9U * (2 * 16 * 4 + 16));
+    EXPECT_LT(compare(before, after.picture).meanShaded, 0.01);
+    EXPECT_EQ(bytesOfNextFrame(), 0U);
+}
+
+TEST_F(Sync, ChoosesTheEvaluatorByTheLargestDegreeThatShows)
+{
+    SetUpScene();
+    EXPECT_EQ(drawn(*renderer, scene, frame).stats.evaluator,
+              evaluatorInfo(chosenEvaluator(Evaluator::automatic, 3, Precision::float32)).name);
+    const Scene high = findSample("extremes")->make();
+    int degree = 1;
+    for (const auto& [id, object] : high.objects())
+        degree = std::max({degree, object->surface.degreeU(), object->surface.degreeV()});
+    EXPECT_GT(degree, 3);
+    EXPECT_EQ(drawn(*renderer, high, frame).stats.evaluator,
+              evaluatorInfo(chosenEvaluator(Evaluator::automatic, degree, Precision::float32)).name);
+}
+
 TEST_F(Sync, DrawsAnEditedSceneAsIfItHadBeenLoadedSo)
 {
     SetUpScene();

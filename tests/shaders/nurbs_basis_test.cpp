@@ -1,120 +1,205 @@
-// The shader's own text, compiled as C++, in double and float against the reference.
+// The shader's own text, compiled as C++, in double and float against 50 digits and, for whole surfaces, the
+// reference.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <gtest/gtest.h>
 
-#include "model/geometry/basis.h"
 #include "model/geometry/evaluation.h"
 #include "renderer/scene/patch_table.h"
-#include "tests/random_surface.h"
-
-// What a stage binds, a caller passes.
-#define spanKnot(index) static_cast<Real>(source.knots[index])
-#define controlPoint(index) source.points[index]
 #include "shaders/shared/nurbs_surface.glsl"
-#undef spanKnot
-#undef controlPoint
+#include "tests/random_surface.h"
+#include "tests/shaders/exact_basis.h"
 
 namespace knotspan::testing {
 namespace {
 
-template <class Real>
-struct Source {
-    std::vector<float> knots;
-    std::vector<glm::vec<4, Real>> points;
-};
+using Digits50 = boost::multiprecision::cpp_bin_float_50;
 
-// The largest errors of values, and of slopes as a share of the degree (no slope by t is larger), in units of
-// 2^-24.
+// Of a float, and of a double: half of what follows 1.
+template <class Real>
+constexpr double kUnit = std::numeric_limits<Real>::epsilon() / 2;
+
+// How far a curve can be off whose control points are no further than 1 from the origin: sums of the
+// functions' errors. Slopes as a share of 2 p, the largest derivative by t that such a curve can have. In
+// units.
 struct BasisError {
     double value = 0;
     double slope = 0;
 };
 
-template <class Real>
-BasisError worstBasisError(int degree, double spanRatio)
+template <Evaluator evaluator, class Real>
+void look(BasisError& worst, const KnotVector& knots, int span, Real t)
 {
-    constexpr double kUnit = 1.0 / 16777216.0;
-    std::mt19937 random(static_cast<unsigned>(degree));
-    BasisError worst;
-    for (int trial = 0; trial < 20; ++trial) {
-        const NurbsSurface surface = randomSurface(random, {degree, 1, 5, false, 0.0, spanRatio});
-        const KnotVector& knots = surface.knotsU();
-        for (const int span : knots.spans()) {
-            Source<Real> source;
-            appendSpanKnots(knots, span, source.knots);
-            for (const float t : {0.0F, 0.125F, 0.5F, 0.8125F, 1.0F}) {
-                const double length = knots[span + 1] - knots[span];
-                const auto expected =
-                    basisDerivatives(knots, span, knots[span] + static_cast<double>(t) * length);
-                const auto basis = gpu::evaluateBasis<Real>(source, 0, degree, static_cast<Real>(t));
-                for (size_t k = 0; k <= static_cast<size_t>(degree); ++k) {
-                    const double value = std::abs(static_cast<double>(basis.value[k]) - expected[0][k]);
-                    const double slope =
-                        std::abs(static_cast<double>(basis.slope[k]) - expected[1][k] * length);
-                    worst.value = std::max(worst.value, value / kUnit);
-                    worst.slope = std::max(worst.slope, slope / (degree * kUnit));
-                }
-            }
-        }
+    const int p = knots.degree();
+    std::vector<Real> table;
+    appendSpanTable(evaluator, knots, span, table);
+    const TableSource<Real> source{table.data()};
+    const Digits50 start(knots[span]);
+    const Digits50 length = Digits50(knots[span + 1]) - start;
+    const auto expected = exactBasis<Digits50>(knots, span, start + Digits50(t) * length);
+    const auto basis = gpu::evaluateBasis<evaluator, Real>(source, 0, p, t);
+    const auto values = gpu::evaluateBasisValues<evaluator, Real>(source, 0, p, t);
+    Digits50 value = 0;
+    Digits50 valueAlone = 0;
+    Digits50 slope = 0;
+    for (size_t k = 0; k <= static_cast<size_t>(p); ++k) {
+        value += abs(Digits50(basis.value[k]) - expected.value[k]);
+        valueAlone += abs(Digits50(values.value[k]) - expected.value[k]);
+        slope += abs(Digits50(basis.slope[k]) - expected.slope[k] * length);
     }
+    const Digits50 larger = std::max(value, valueAlone);
+    worst.value = std::max(worst.value, static_cast<double>(larger) / kUnit<Real>);
+    worst.slope = std::max(worst.slope, static_cast<double>(slope) / (2 * p * kUnit<Real>));
+}
+
+template <Evaluator evaluator, class Real>
+BasisError worstBasisError(int degree)
+{
+    std::mt19937 random(static_cast<unsigned>(degree));
+    std::uniform_real_distribution<Real> unit(0, 1);
+    BasisError worst;
+    for (const double spanRatio : {1.0, 1e3, 1e6})
+        for (int trial = 0; trial < 2; ++trial) {
+            const NurbsSurface surface = randomSurface(random, {degree, 1, 5, false, 0.0, spanRatio});
+            const KnotVector& knots = surface.knotsU();
+            for (const int span : knots.spans())
+                for (const Real t : {Real(0), Real(1e-4), unit(random), unit(random), Real(0.5), Real(1)})
+                    look<evaluator>(worst, knots, span, t);
+        }
+    // A single span, a Bezier curve: the longest coefficients.
+    const KnotVector single = KnotVector::clampedUniform(degree, 1);
+    for (int k = 0; k <= 16; ++k)
+        look<evaluator>(worst, single, degree, Real(k) / 16);
     return worst;
 }
 
-TEST(ShaderBasis, InFloatIsWithinAFewUnitsOfTheReferenceForEveryDegree)
+// What holds for an evaluator at a degree, in units. That of the powers grows as their coefficients do; the
+// errors of the recursions grow with their steps.
+double bound(Evaluator evaluator, int degree, Precision precision)
 {
-    for (int degree = 1; degree <= kMaxDegree; ++degree) {
-        const BasisError worst = worstBasisError<float>(degree, 1e3);
-        EXPECT_LT(worst.value, 16) << "degree " << degree;
-        EXPECT_LT(worst.slope, 16) << "degree " << degree;
+    switch (evaluator) {
+    case Evaluator::power:
+        return std::max(16.0, 0.5 * std::pow(3.0, degree));
+    case Evaluator::bernstein:
+        return 14;
+    default:
+        return degree <= (precision == Precision::float32 ? 9 : 8) ? 16 : 32;
     }
 }
 
-// The knots are floats on the device: in double only their rounding is left.
-TEST(ShaderBasis, InDoubleIsLimitedByTheRoundedKnotsAlone)
+template <Evaluator evaluator, class Real>
+void expectBounded(const char* type)
 {
+    constexpr Precision precision = sizeof(Real) == sizeof(float) ? Precision::float32 : Precision::float64;
+    std::string values;
+    std::string slopes;
     for (int degree = 1; degree <= kMaxDegree; ++degree) {
-        const BasisError worst = worstBasisError<double>(degree, 1e3);
-        EXPECT_LT(worst.value, 4) << "degree " << degree;
-        EXPECT_LT(worst.slope, 4) << "degree " << degree;
+        const BasisError worst = worstBasisError<evaluator, Real>(degree);
+        EXPECT_LT(worst.value, bound(evaluator, degree, precision)) << type << ", degree " << degree;
+        EXPECT_LT(worst.slope, bound(evaluator, degree, precision)) << type << ", degree " << degree;
+        char text[32];
+        std::snprintf(text, sizeof(text), "%.3g ", worst.value);
+        values += text;
+        std::snprintf(text, sizeof(text), "%.3g ", worst.slope);
+        slopes += text;
     }
+    ::testing::Test::RecordProperty(std::string("values_") + type, values);
+    ::testing::Test::RecordProperty(std::string("slopes_") + type, slopes);
 }
 
-TEST(ShaderBasis, SumsToOneAndItsSlopesToZero)
+#define KNOTSPAN_TEST(number, name, ...)                                      \
+    TEST(ShaderBasis, ByTheEvaluator_##name##_IsWithinItsBoundForEveryDegree) \
+    {                                                                         \
+        expectBounded<Evaluator::name, float>("float");                       \
+        expectBounded<Evaluator::name, double>("double");                     \
+    }
+KNOTSPAN_EVALUATOR_LIST(KNOTSPAN_TEST)
+#undef KNOTSPAN_TEST
+
+TEST(ChosenEvaluator, IsTheWishOrOneThatIsExactAtTheDegree)
 {
-    std::mt19937 random(11);
+    for (int degree = 1; degree <= kMaxDegree; ++degree)
+        for (const Precision precision : {Precision::float32, Precision::float64}) {
+            EXPECT_EQ(chosenEvaluator(Evaluator::stair, degree, precision), Evaluator::stair);
+            const Evaluator chosen = chosenEvaluator(Evaluator::automatic, degree, precision);
+            EXPECT_NE(chosen, Evaluator::automatic);
+            EXPECT_LE(bound(chosen, degree, precision), 16) << "degree " << degree;
+        }
+}
+
+TEST(Evaluators, AreFoundByTheirNames)
+{
+    EXPECT_EQ(evaluators().size(), size_t{KNOTSPAN_EVALUATOR_COUNT} + 1);
+    for (const EvaluatorInfo& info : evaluators()) {
+        EXPECT_EQ(findEvaluator(info.name), info.id);
+        EXPECT_EQ(evaluatorInfo(info.id).name, info.name);
+        EXPECT_FALSE(info.description.empty());
+    }
+    EXPECT_EQ(findEvaluator("automatic"), std::nullopt);
+    EXPECT_EQ(findEvaluator("cox"), std::nullopt);
+}
+
+// Neighbours beyond all that float can tell apart, and the functions still sum to one.
+template <Evaluator evaluator>
+void expectSums(double ratio)
+{
     for (int degree = 1; degree <= kMaxDegree; ++degree) {
-        const NurbsSurface surface = randomSurface(random, {degree, 1, 4, false, 0.0, 1e6});
-        Source<float> source;
-        appendSpanKnots(surface.knotsU(), surface.knotsU().spans()[1], source.knots);
-        const auto basis = gpu::evaluateBasis<float>(source, 0, degree, 0.37F);
+        std::vector<double> values(static_cast<size_t>(degree) + 1, 0.0);
+        for (int k = 0; k <= degree; ++k)
+            values.insert(values.begin() + degree + 1 + k, 1.0 + k * ratio);
+        for (int k = 0; k <= degree; ++k)
+            values.push_back(1.0 + (2.0 + degree) * ratio);
+        const KnotVector knots = KnotVector::create(degree, values).value();
+        std::vector<float> table;
+        appendSpanTable(evaluator, knots, degree, table);
+        const auto basis =
+            gpu::evaluateBasis<evaluator, float>(TableSource<float>{table.data()}, 0, degree, 0.37F);
         double sum = 0;
         double slopes = 0;
         for (int k = 0; k <= degree; ++k) {
             sum += static_cast<double>(basis.value[k]);
             slopes += static_cast<double>(basis.slope[k]);
         }
-        EXPECT_NEAR(sum, 1.0, 1e-6);
-        EXPECT_NEAR(slopes, 0.0, 4e-6 * degree);
+        EXPECT_NEAR(sum, 1.0, bound(evaluator, degree, Precision::float32) * kUnit<float>)
+            << degree << ", " << ratio;
+        EXPECT_NEAR(slopes, 0.0, 2 * degree * bound(evaluator, degree, Precision::float32) * kUnit<float>)
+            << degree << ", " << ratio;
     }
 }
+
+TEST(ShaderBasis, SumsToOneAndItsSlopesToZeroBesideNeighboursOfAnyLength)
+{
+    for (const double ratio : {1e-12, 1.0, 1e9, 1e30, 1e60}) {
+#define KNOTSPAN_ONE(number, name, ...) expectSums<Evaluator::name>(ratio);
+        KNOTSPAN_EVALUATOR_LIST(KNOTSPAN_ONE)
+#undef KNOTSPAN_ONE
+    }
+}
+
+struct SurfaceSource {
+    std::vector<float> tables;
+    std::vector<gpu::vec4> points;
+
+    [[nodiscard]] float spanTable(std::uint32_t index) const { return tables[index]; }
+    [[nodiscard]] const gpu::vec4& controlPoint(std::uint32_t index) const { return points[index]; }
+};
 
 TEST(ShaderSurface, GivesTheReferencesPointAndTangents)
 {
     std::mt19937 random(5);
     const NurbsSurface surface = randomSurface(random, {3, 4, 3, true, 1e6, 10.0});
     const PointFrame frame = PointFrame::of(surface);
-    const PatchTable table = makePatchTable(surface);
-    Source<float> source{table.spanKnots, {}};
-    for (const auto& point : packPoints(frame, surface.controlPoints()))
-        source.points.push_back(point);
+    const auto table = makePatchTable<float>(surface, Evaluator::stair);
+    const SurfaceSource source{table.spanTables, packPoints<float>(frame, surface.controlPoints())};
     const auto names = ksQuads(surface);
     ASSERT_EQ(names.size(), table.ksquads.size());
     for (size_t k = 0; k < names.size(); ++k) {
         const auto& record = table.ksquads[k];
-        const auto bu = gpu::evaluateBasis<float>(source, record.spanU, 3, 0.25F);
-        const auto bv = gpu::evaluateBasis<float>(source, record.spanV, 4, 0.75F);
+        const auto bu = gpu::evaluateBasis<Evaluator::stair, float>(source, record.spanU, 3, 0.25F);
+        const auto bv = gpu::evaluateBasis<Evaluator::stair, float>(source, record.spanV, 4, 0.75F);
         const auto at = gpu::contractNet<float>(source, record.firstPoint,
                                                 static_cast<gpu::uint>(surface.countV()), 3, 4, bu, bv);
         const KnotVector& ku = surface.knotsU();

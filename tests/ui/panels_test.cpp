@@ -32,7 +32,7 @@ void usePath(Viewport& viewport, PathId path)
     viewport.setFrame(frame);
 }
 
-TEST(RenderingPanel, ShowsEveryPathCullingModeAndShading)
+TEST(RenderingPanel, ShowsEveryPathCullingModeShadingAndEvaluator)
 {
     Document document;
     Selection selection;
@@ -40,6 +40,12 @@ TEST(RenderingPanel, ShowsEveryPathCullingModeAndShading)
     const RenderingPanel panel(viewport);
     EXPECT_EQ(panel.findChild<QComboBox*>("path")->count(), static_cast<int>(paths().size()));
     EXPECT_EQ(panel.findChild<QComboBox*>("shading")->count(), static_cast<int>(shadings().size()));
+    auto* evaluator = panel.findChild<QComboBox*>("evaluator");
+    ASSERT_EQ(evaluator->count(), static_cast<int>(evaluators().size()));
+    EXPECT_EQ(evaluator->currentText().toStdString(), "auto");
+    evaluator->setCurrentText("stair");
+    Q_EMIT evaluator->activated(evaluator->currentIndex());
+    EXPECT_EQ(viewport.frame().evaluator, Evaluator::stair);
     EXPECT_EQ(panel.findChildren<QCheckBox*>().size(), kCullModeCount);
     for (const CullMode& mode : cullModes()) {
         const auto* check = panel.findChild<QCheckBox*>("culling-" + QString::fromStdString(mode.name));

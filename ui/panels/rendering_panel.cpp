@@ -85,6 +85,7 @@ RenderingPanel::RenderingPanel(Viewport& viewport, QWidget* parent) : QWidget(pa
     layout->addRow(tr("&Shading"), makeShadingPicker());
     layout->addRow(tr("Tolerance"), makeTolerance());
     layout->addRow(tr("Culling"), makeCulling());
+    layout->addRow(tr("&Evaluator"), makeEvaluatorPicker());
     connect(&viewport_, &Viewport::rendererChanged, this, &RenderingPanel::fillPaths);
     connect(&viewport_, &Viewport::frameChanged, this, &RenderingPanel::showFrame);
     fillPaths();
@@ -117,6 +118,23 @@ QWidget* RenderingPanel::makeShadingPicker()
         change([&](Frame& frame) { frame.shading = static_cast<Shading>(shading_->itemData(row).toInt()); });
     });
     return shading_;
+}
+
+QWidget* RenderingPanel::makeEvaluatorPicker()
+{
+    evaluator_ = new QComboBox(this);
+    evaluator_->setObjectName("evaluator");
+    describe(evaluator_, tr("Evaluator"), tr("How the points of surfaces are computed"));
+    for (const EvaluatorInfo& info : evaluators()) {
+        evaluator_->addItem(text(info.name), static_cast<int>(info.id));
+        evaluator_->setItemData(evaluator_->count() - 1, text(info.description), Qt::ToolTipRole);
+    }
+    connect(evaluator_, &QComboBox::activated, this, [this](int row) {
+        change([&](Frame& frame) {
+            frame.evaluator = static_cast<Evaluator>(evaluator_->itemData(row).toInt());
+        });
+    });
+    return evaluator_;
 }
 
 QWidget* RenderingPanel::makeCulling()
@@ -209,6 +227,7 @@ void RenderingPanel::showFrame()
     path_->setCurrentIndex(path_->findData(static_cast<int>(frame.path)));
     path_->setToolTip(text(pathInfo(frame.path).description));
     shading_->setCurrentIndex(shading_->findData(static_cast<int>(frame.shading)));
+    evaluator_->setCurrentIndex(evaluator_->findData(static_cast<int>(frame.evaluator)));
     for (size_t mode = 0; mode < culling_.size(); ++mode)
         culling_[mode]->setChecked(frame.culling.has(static_cast<int>(mode)));
     const QSignalBlocker quietSlider(slider_);

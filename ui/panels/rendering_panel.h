@@ -1,4 +1,4 @@
-// How the model is drawn: path, culling, shading and tolerance, filled from the renderer's lists.
+// How the model is drawn: path, culling, shading, tolerance and evaluator, filled from the renderer's lists.
 #pragma once
 
 #include <utility>
@@ -25,6 +25,7 @@ public:
 private:
     QWidget* makePathPicker();
     QWidget* makeShadingPicker();
+    QWidget* makeEvaluatorPicker();
     QWidget* makeCulling();
     QWidget* makeTolerance();
     void fillPaths();
@@ -42,6 +43,7 @@ private:
     Viewport& viewport_;
     QComboBox* path_ = nullptr;
     QComboBox* shading_ = nullptr;
+    QComboBox* evaluator_ = nullptr;
     std::vector<QCheckBox*> culling_;
     QSlider* slider_ = nullptr;
     QDoubleSpinBox* tolerance_ = nullptr;

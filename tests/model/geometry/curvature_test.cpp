@@ -17,8 +17,8 @@ TEST(Curvature, OfASphereIsOneOverItsRadiusAwayFromTheNormal)
         ASSERT_TRUE(found);
         EXPECT_NEAR(found->gauss, 1.0 / 16, 1e-13);
         EXPECT_NEAR(found->mean, -0.25, 1e-13);
-        EXPECT_NEAR(found->largest, -0.25, 1e-6);
-        EXPECT_NEAR(found->smallest, -0.25, 1e-6);
+        EXPECT_NEAR(found->largest, -0.25, 1e-14);
+        EXPECT_NEAR(found->smallest, -0.25, 1e-14);
     }
 }
 
@@ -33,6 +33,26 @@ TEST(Curvature, OfATorusIsPositiveOutsideAndNegativeInside)
     EXPECT_NEAR(outside->largest, -1.0 / 4, 1e-13);
     EXPECT_NEAR(inside->gauss, -1.0 / 2, 1e-13);
     EXPECT_NEAR(inside->largest, 1.0 / 2, 1e-13);
+}
+
+TEST(Curvature, OfACylinderIsThatOfItsCircleAndNone)
+{
+    const NurbsSurface ring = torus({0, 0, 0}, 3, 1);
+    std::vector<ControlPoint> points;
+    for (int i = 0; i < ring.countU(); ++i)
+        for (const double z : {0.0, 7.0}) {
+            const ControlPoint& on = ring.controlPoint(i, 0);
+            points.push_back({{on.position.x, on.position.y, z}, on.weight});
+        }
+    const auto tube = NurbsSurface::create(ring.knotsU(), KnotVector::clampedUniform(1, 1), points).value();
+    for (const double u : {0.0, 0.6, 3.5, 8.0}) {
+        const auto found = curvature(evaluate(tube, u, 0.3));
+        ASSERT_TRUE(found);
+        EXPECT_NEAR(found->smallest, -1.0 / 4, 1e-14);
+        EXPECT_NEAR(found->largest, 0, 1e-14);
+        EXPECT_NEAR(found->gauss, 0, 1e-14);
+        EXPECT_NEAR(found->mean, -1.0 / 8, 1e-14);
+    }
 }
 
 TEST(Curvature, IsNothingAtAPole)

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 
+#include "model/geometry/evaluation.h"
 #include "tests/model/geometry/precise_evaluation.h"
-#include "tests/model/geometry/random_surface.h"
+#include "tests/random_surface.h"
 
 namespace knotspan {
 namespace {
@@ -45,41 +46,48 @@ void expectPrecise(const NurbsSurface& surface, double u, double v, double toler
     EXPECT_LE(difference(found.dvv, exact.dvv, std::max(size(exact.dvv), net * perV * perV)), 4 * tolerance);
 }
 
-void expectPreciseAllOver(const NurbsSurface& surface, testing::RandomSurfaces& random, double tolerance)
+void expectPreciseAllOver(const NurbsSurface& surface, std::mt19937& random, double tolerance)
 {
     const KnotVector& knotsU = surface.knotsU();
     const KnotVector& knotsV = surface.knotsV();
     for (int n = 0; n < 2; ++n)
-        expectPrecise(surface, random.between(knotsU.domainStart(), knotsU.domainEnd()),
-                      random.between(knotsV.domainStart(), knotsV.domainEnd()), tolerance);
+        expectPrecise(surface, testing::randomBetween(random, knotsU.domainStart(), knotsU.domainEnd()),
+                      testing::randomBetween(random, knotsV.domainStart(), knotsV.domainEnd()), tolerance);
     expectPrecise(surface, knotsU.domainStart(), knotsV.domainEnd(), tolerance);
     expectPrecise(surface, knotsU.domainEnd(), knotsV[knotsV.spans().back()], tolerance);
 }
 
 TEST(Evaluation, AgreesWithMultiplePrecisionForEveryDegree)
 {
-    testing::RandomSurfaces random(2);
+    std::mt19937 random(2);
     for (int degree = kMinDegree; degree <= kMaxDegree; ++degree)
         for (const bool rational : {false, true})
             for (const bool clamped : {false, true}) {
                 SCOPED_TRACE("degree " + std::to_string(degree) + (rational ? ", rational" : "") +
                              (clamped ? ", clamped" : ", not clamped"));
                 const int other = 1 + (3 * degree) % 7;
-                expectPreciseAllOver(random.surface(degree, other, rational, clamped), random, 1e-13);
+                expectPreciseAllOver(testing::randomSurface(random, {.degreeU = degree,
+                                                                     .degreeV = other,
+                                                                     .rational = rational,
+                                                                     .spanRatio = 100,
+                                                                     .clamped = clamped}),
+                                     random, 1e-13);
             }
 }
 
 TEST(Evaluation, KeepsItsDigitsWithWeightsOverTwelveOrders)
 {
-    testing::RandomSurfaces random(3);
+    std::mt19937 random(3);
     for (const int degree : {2, 3, 5, 9})
-        expectPreciseAllOver(random.surface(degree, 3, true, true, 6), random, 1e-13);
+        expectPreciseAllOver(
+            testing::randomSurface(random, {.degreeU = degree, .rational = true, .weightRatio = 1e6}), random,
+            1e-13);
 }
 
 TEST(Evaluation, LosesOnlyTheLastDigitsOfACoordinateFarFromTheOrigin)
 {
-    testing::RandomSurfaces random(4);
-    const NurbsSurface near = random.surface(3, 4, true);
+    std::mt19937 random(4);
+    const NurbsSurface near = testing::randomSurface(random, {.degreeU = 3, .degreeV = 4, .rational = true});
     std::vector<ControlPoint> points = near.controlPoints();
     for (ControlPoint& point : points)
         point.position = glm::floor(point.position * 1024.0) / 1024.0;
@@ -99,8 +107,9 @@ TEST(Evaluation, LosesOnlyTheLastDigitsOfACoordinateFarFromTheOrigin)
 
 TEST(Evaluation, TakesParametersOutsideTheDomainToItsBorder)
 {
-    testing::RandomSurfaces random(5);
-    const NurbsSurface surface = random.surface(3, 2, true, false);
+    std::mt19937 random(5);
+    const NurbsSurface surface =
+        testing::randomSurface(random, {.degreeU = 3, .degreeV = 2, .rational = true, .clamped = false});
     const double u = surface.knotsU().domainEnd();
     const double v = surface.knotsV().domainStart();
     EXPECT_EQ(evaluate(surface, u + 7, v - 3).position, evaluate(surface, u, v).position);

@@ -3,7 +3,7 @@
 
 #include "model/geometry/evaluation.h"
 #include "model/geometry/knot_insertion.h"
-#include "tests/model/geometry/random_surface.h"
+#include "tests/random_surface.h"
 
 namespace knotspan {
 namespace {
@@ -31,10 +31,11 @@ double inside(const KnotVector& knots, double part)
 
 TEST(KnotInsertion, KeepsTheShape)
 {
-    testing::RandomSurfaces random(7);
+    std::mt19937 random(7);
     for (const int degree : {1, 2, 3, 5, 9, 15})
         for (const bool clamped : {true, false}) {
-            const NurbsSurface surface = random.surface(degree, 3, true, clamped);
+            const NurbsSurface surface =
+                testing::randomSurface(random, {.degreeU = degree, .rational = true, .clamped = clamped});
             const NurbsSurface inU = withKnotInserted(surface, Direction::U, inside(surface.knotsU(), 0.37));
             const NurbsSurface inV = withKnotInserted(inU, Direction::V, inside(surface.knotsV(), 0.52), 3);
             EXPECT_EQ(inV.countU(), surface.countU() + 1);
@@ -45,8 +46,8 @@ TEST(KnotInsertion, KeepsTheShape)
 
 TEST(KnotInsertion, PutsAControlPointOnTheSurfaceAfterDegreeCopies)
 {
-    testing::RandomSurfaces random(8);
-    const NurbsSurface surface = random.surface(3, 2, false);
+    std::mt19937 random(8);
+    const NurbsSurface surface = testing::randomSurface(random, {.degreeU = 3, .degreeV = 2});
     const double u = inside(surface.knotsU(), 0.41);
     const NurbsSurface refined = withKnotInserted(surface, Direction::U, u, 3);
     const int k = refined.knotsU().findSpan(u);
@@ -57,10 +58,11 @@ TEST(KnotInsertion, PutsAControlPointOnTheSurfaceAfterDegreeCopies)
 
 TEST(KnotInsertion, CutsPartsThatKeepTheShapeAndTheirParameters)
 {
-    testing::RandomSurfaces random(9);
+    std::mt19937 random(9);
     for (const int degree : {1, 2, 3, 7})
         for (const bool clamped : {true, false}) {
-            const NurbsSurface surface = random.surface(degree, 3, true, clamped);
+            const NurbsSurface surface =
+                testing::randomSurface(random, {.degreeU = degree, .rational = true, .clamped = clamped});
             const double start = inside(surface.knotsU(), 0.2);
             const double end = inside(surface.knotsU(), 0.75);
             const NurbsSurface part = clampedPart(surface, Direction::U, start, end);
@@ -74,8 +76,9 @@ TEST(KnotInsertion, CutsPartsThatKeepTheShapeAndTheirParameters)
 
 TEST(KnotInsertion, LeavesAClampedSurfaceAsItIsWhenAllOfItIsCut)
 {
-    testing::RandomSurfaces random(10);
-    const NurbsSurface surface = random.surface(3, 4, true);
+    std::mt19937 random(10);
+    const NurbsSurface surface =
+        testing::randomSurface(random, {.degreeU = 3, .degreeV = 4, .rational = true});
     EXPECT_EQ(
         clampedPart(surface, Direction::V, surface.knotsV().domainStart(), surface.knotsV().domainEnd()),
         surface);
@@ -83,8 +86,9 @@ TEST(KnotInsertion, LeavesAClampedSurfaceAsItIsWhenAllOfItIsCut)
 
 TEST(KnotInsertion, LetsTwoPartsMeetAtTheirCut)
 {
-    testing::RandomSurfaces random(11);
-    const NurbsSurface surface = random.surface(4, 3, true, false);
+    std::mt19937 random(11);
+    const NurbsSurface surface =
+        testing::randomSurface(random, {.degreeU = 4, .degreeV = 3, .rational = true, .clamped = false});
     const double cut = inside(surface.knotsU(), 0.44);
     const NurbsSurface left = clampedPart(surface, Direction::U, surface.knotsU().domainStart(), cut);
     const NurbsSurface right = clampedPart(surface, Direction::U, cut, surface.knotsU().domainEnd());

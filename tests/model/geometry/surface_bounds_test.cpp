@@ -4,7 +4,7 @@
 
 #include "model/geometry/evaluation.h"
 #include "model/geometry/primitives.h"
-#include "tests/model/geometry/random_surface.h"
+#include "tests/random_surface.h"
 
 namespace knotspan::testing {
 namespace {
@@ -28,16 +28,17 @@ TEST(SurfaceBounds, OfASphereAreItsRadiusWhateverItsNet)
 
 TEST(SurfaceBounds, HoldThePointsOfASurfaceAndLieInsideItsNet)
 {
-    RandomSurfaces random(3);
+    std::mt19937 random(3);
     for (int trial = 0; trial < 10; ++trial) {
-        const NurbsSurface surface = random.surface(3, 2, true, trial % 2 == 0);
+        const NurbsSurface surface =
+            randomSurface(random, {.degreeU = 3, .degreeV = 2, .rational = true, .clamped = trial % 2 == 0});
         const Box box = surfaceBounds(surface, Mat4(1.0));
         const double slack = 1e-6 * surface.bounds().diagonal();
         for (int k = 0; k < 300; ++k) {
             const Vec3 point =
                 evaluate(surface,
-                         random.between(surface.knotsU().domainStart(), surface.knotsU().domainEnd()),
-                         random.between(surface.knotsV().domainStart(), surface.knotsV().domainEnd()))
+                         randomBetween(random, surface.knotsU().domainStart(), surface.knotsU().domainEnd()),
+                         randomBetween(random, surface.knotsV().domainStart(), surface.knotsV().domainEnd()))
                     .position;
             for (int axis = 0; axis < 3; ++axis) {
                 EXPECT_GE(point[axis], box.low[axis] - slack);

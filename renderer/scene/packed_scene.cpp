@@ -1,0 +1,115 @@
+#include "renderer/scene/packed_scene.h"
+
+#include <algorithm>
+
+#include "model/core/check.h"
+
+namespace knotspan {
+
+const Resident* findResident(const std::vector<Resident>& residents, ObjectId id)
+{
+    const auto found =
+        std::lower_bound(residents.begin(), residents.end(), id,
+                         [](const Resident& resident, ObjectId wanted) { return resident.id < wanted; });
+    return found != residents.end() && found->id == id ? &*found : nullptr;
+}
+
+KsQuadName ksquadName(const std::vector<Resident>& residents, std::uint32_t number)
+{
+    const auto next =
+        std::upper_bound(residents.begin(), residents.end(), number,
+                         [](std::uint32_t k, const Resident& resident) { return k < resident.firstKsquad; });
+    check(next != residents.begin(), "the KSQuad is one of the scene");
+    const Resident& resident = *(next - 1);
+    const auto& spansU = resident.object->surface.knotsU().spans();
+    const auto& spansV = resident.object->surface.knotsV().spans();
+    const size_t local = number - resident.firstKsquad;
+    check(local < spansU.size() * spansV.size(), "the KSQuad is one of the scene");
+    return {resident.id, {spansU[local / spansV.size()], spansV[local % spansV.size()]}};
+}
+
+std::optional<std::uint32_t> ksquadNumber(const std::vector<Resident>& residents, const KsQuadName& name)
+{
+    const Resident* resident = findResident(residents, name.object);
+    if (resident == nullptr)
+        return std::nullopt;
+    const auto& spansU = resident->object->surface.knotsU().spans();
+    const auto& spansV = resident->object->surface.knotsV().spans();
+    const auto u = std::lower_bound(spansU.begin(), spansU.end(), name.ksquad.spanU);
+    const auto v = std::lower_bound(spansV.begin(), spansV.end(), name.ksquad.spanV);
+    if (u == spansU.end() || *u != name.ksquad.spanU || v == spansV.end() || *v != name.ksquad.spanV)
+        return std::nullopt;
+    return resident->firstKsquad +
+           static_cast<std::uint32_t>(static_cast<size_t>(u - spansU.begin()) * spansV.size() +
+                                      static_cast<size_t>(v - spansV.begin()));
+}
+
+VisibleObjects visibleObjects(const Scene& scene)
+{
+    VisibleObjects visible;
+    for (const auto& [id, object] : scene.objects())
+        if (object->visible)
+            visible.emplace_back(id, object);
+    return visible;
+}
+
+int largestDegree(const VisibleObjects& objects)
+{
+    int degree = 1;
+    for (const auto& [id, object] : objects)
+        degree = std::max({degree, object->surface.degreeU(), object->surface.degreeV()});
+    return degree;
+}
+
+template <class Real>
+PackedTables<Real> packTables(const std::vector<Resident>& residents, Evaluator evaluator)
+{
+    PackedTables<Real> packed;
+    for (size_t surface = 0; surface < residents.size(); ++surface) {
+        const auto firstNumber = static_cast<std::uint32_t>(packed.spanTables.size());
+        const auto table = makePatchTable<Real>(residents[surface].object->surface, evaluator);
+        for (gpu::KsQuadRecord record : table.ksquads) {
+            record.surface = static_cast<std::uint32_t>(surface);
+            record.firstPoint += residents[surface].firstPoint;
+            record.spanU += firstNumber;
+            record.spanV += firstNumber;
+            packed.ksquads.push_back(record);
+        }
+        packed.spanTables.insert(packed.spanTables.end(), table.spanTables.begin(), table.spanTables.end());
+    }
+    return packed;
+}
+
+std::vector<Resident> makeResidents(const VisibleObjects& objects)
+{
+    std::vector<Resident> residents;
+    std::uint32_t firstPoint = 0;
+    std::uint32_t firstKsquad = 0;
+    for (const auto& [id, object] : objects) {
+        residents.push_back({id, object, PointFrame::of(object->surface), firstPoint, firstKsquad});
+        firstPoint += static_cast<std::uint32_t>(object->surface.controlPoints().size());
+        firstKsquad += static_cast<std::uint32_t>(ksQuadCount(object->surface));
+    }
+    return residents;
+}
+
+template <class Real>
+PackedScene<Real> packScene(std::vector<Resident> residents, Evaluator evaluator)
+{
+    PackedScene<Real> packed;
+    for (const Resident& resident : residents) {
+        const auto points = packPoints<Real>(resident.frame, resident.object->surface.controlPoints());
+        packed.points.insert(packed.points.end(), points.begin(), points.end());
+        packed.surfaces.push_back(makeSurfaceRecord(*resident.object, resident.frame, resident.firstPoint));
+    }
+    packed.tables = packTables<Real>(residents, evaluator);
+    packed.residents = std::move(residents);
+    return packed;
+}
+
+template PackedTables<float> packTables(const std::vector<Resident>&, Evaluator);
+template PackedTables<double> packTables(const std::vector<Resident>&, Evaluator);
+template PackedScene<float> packScene(std::vector<Resident>, Evaluator);
+template PackedScene<double> packScene(std::vector<Resident>, Evaluator);
+
+}  // namespace knotspan
