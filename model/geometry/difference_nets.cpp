@@ -108,6 +108,13 @@ private:
         return factorsV_[0][static_cast<size_t>(j)] * difference(at(i, j), at(i, j + 1));
     }
 
+    [[nodiscard]] double heavier(const DifferenceNet<Real>& net, int i, int j) const
+    {
+        return net.orderU + net.orderV != 1
+                   ? 1.0
+                   : std::max(weight(at(i, j)), weight(at(i + net.orderU, j + net.orderV)));
+    }
+
     template <class Value>
     [[nodiscard]] DifferenceNet<Real> filled(int orderU, int orderV, const Value& value) const
     {
@@ -126,11 +133,13 @@ private:
             for (size_t j = 0; j < row; ++j, ++to) {
                 const Vec4 h = value(i, static_cast<int>(j));
                 Real largest = 0;
+                const auto perWeight = static_cast<Real>(1 / heavier(net, i, static_cast<int>(j)));
                 for (int c = 0; c < C; ++c) {
                     const auto number = static_cast<Real>(std::min(std::max(h[c], -kLargest), kLargest));
                     to[static_cast<size_t>(c) * row] = number;
                     largest = std::max(largest, std::abs(number));
                 }
+                largest *= perWeight;
                 largestOfI = std::max(largestOfI, largest);
                 net.largestOfJ[j] = std::max(net.largestOfJ[j], largest);
             }

@@ -139,12 +139,11 @@ HWY_INLINE Triple<Real> projected(const Triple<Real>& xyz, Vec<Real> perWeight)
 
 template <class Real, class Place>
 HWY_INLINE void storeNormal(const Block<Real>& block, const Place& place, size_t firstRow, int r, size_t at,
-                            const Triple<Real>& du, const Triple<Real>& dv, Vec<Real> perWeight)
+                            const Triple<Real>& du, const Triple<Real>& dv)
 {
     const Lanes<Real> d;
     Triple<Real> n;
-    const auto unsure =
-        normal(du, dv, hn::Mul(shortestU(place, r), perWeight), hn::Mul(shortestV(place), perWeight), n);
+    const auto unsure = normal(du, dv, shortestU(place, r), shortestV(place), n);
     store(block, 6, at, n);
     if (HWY_LIKELY(hn::AllFalse(d, unsure)))
         return;
@@ -232,7 +231,7 @@ HWY_INLINE void evaluateLanes(const Block<Real>& block, const Place& place, size
             store(block, 1, at(r), du[r]);
             store(block, 2, at(r), dv[r]);
             if (block.planes[18] != nullptr)
-                storeNormal(block, place, firstRow, r, at(r), du[r], dv[r], perWeight[r]);
+                storeNormal(block, place, firstRow, r, at(r), du[r], dv[r]);
         }
         if constexpr (Order >= 2) {
             for (int r = 0; r < R; ++r)

@@ -30,7 +30,7 @@ struct PreparedSurface {
     SpanTables basisU;
     SpanTables basisV;
     std::optional<NurbsSurface> surface;  // where normals are wanted
-    // By span: what a tangent times the weight may be by rounding alone. Empty without derivatives.
+    // By span: what a tangent may be by rounding alone. Empty without derivatives.
     std::vector<Real> shortestU;
     std::vector<Real> shortestV;
 };
