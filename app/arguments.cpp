@@ -59,6 +59,19 @@ CLI::Validator within(double low, double high)
     return {check, ""};
 }
 
+CLI::Validator wholeWithin(int low, int high)
+{
+    const auto check = [low, high](const std::string& text) -> std::string {
+        int value = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        if (error == std::errc() && end == text.data() + text.size() && value >= low && value <= high)
+            return {};
+        return "'" + text + "' should be a whole number from " + std::to_string(low) + " to " +
+               std::to_string(high);
+    };
+    return {check, ""};
+}
+
 std::vector<double> parseNumbers(const std::string& option, const std::string& text, size_t count)
 {
     std::vector<double> numbers;

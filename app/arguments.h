@@ -28,6 +28,7 @@ struct PixelSize {
 
 // Options that CLI11 turns into numbers itself: finite and from `low` to `high`.
 [[nodiscard]] CLI::Validator within(double low, double high);
+[[nodiscard]] CLI::Validator wholeWithin(int low, int high);
 
 // Says that `text` is none of `names`.
 [[noreturn]] void refuseName(const std::string& option, const std::string& text,

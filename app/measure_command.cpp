@@ -24,7 +24,7 @@ struct Options {
 };
 
 // Results of 4 million points in double are about 1 GB, on the device and here.
-constexpr double kMostPoints = 4e6;
+constexpr int kMostPoints = 4'000'000;
 
 // One line that is written over, only where a person looks on.
 class Progress {
@@ -128,11 +128,11 @@ void addMeasureCommand(CLI::App& app, int& exitCode)
     command->add_option("--plot", options->plot, "Drawing of error against time to write")
         ->type_name("OUT.svg");
     command->add_option("--device", options->device, "Which Vulkan device, counted from 0")
-        ->check(within(0, 255))
+        ->check(wholeWithin(0, 255))
         ->type_name("N");
     command->add_option("--points", options->points, "How many random points, over all visible surfaces")
         ->capture_default_str()
-        ->check(within(1, kMostPoints))
+        ->check(wholeWithin(1, kMostPoints))
         ->type_name("N");
     command->callback([options, &exitCode] { exitCode = run(*options); });
 }

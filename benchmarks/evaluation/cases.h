@@ -12,7 +12,7 @@
 namespace knotspan::benchmarks {
 
 struct Case {
-    std::string name;                    // "10x10 degree 3, rational, 65"
+    std::string name;                    // "10x10 degree 3, rational, 65^2"
     std::vector<NurbsSurface> surfaces;  // all are evaluated in one go
     std::vector<double> parameters;      // of the grid, in both directions; the domain is [0, 1]
 

@@ -19,6 +19,5 @@ int main(int argc, char** argv)
         addOcct(one);
     }
     RatioReporter reporter;
-    benchmark::RunSpecifiedBenchmarks(&reporter);
-    return 0;
+    return benchmark::RunSpecifiedBenchmarks(&reporter) > 0 ? 0 : 1;
 }

@@ -30,7 +30,7 @@ void RatioReporter::ReportRuns(const std::vector<Run>& runs)
         const std::string name = run.benchmark_name();
         const size_t colon = name.find(": ");
         // With repetitions the best of them counts: what else ran on the machine only adds.
-        if (colon == std::string::npos || run.run_type != Run::RT_Iteration)
+        if (colon == std::string::npos || run.run_type != Run::RT_Iteration || run.iterations == 0)
             continue;
         const double time = run.cpu_accumulated_time / static_cast<double>(run.iterations);
         const auto [at, isNew] = times_[name.substr(0, colon)].emplace(name.substr(colon + 2), time);

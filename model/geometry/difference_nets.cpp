@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include <glm/common.hpp>
+
 namespace knotspan {
 
 namespace {
@@ -69,6 +71,9 @@ public:
     }
 
 private:
+    // Sums of products with basis functions and quotients of them stay finite below this.
+    static constexpr double kLargest = std::numeric_limits<Real>::max() / 1e6;
+
     [[nodiscard]] const ControlPoint& at(int i, int j) const
     {
         return points_[static_cast<size_t>(i) * static_cast<size_t>(countV_) + static_cast<size_t>(j)];
@@ -85,7 +90,7 @@ private:
     [[nodiscard]] Vec4 point(int i, int j) const
     {
         const double w = weight(at(i, j));
-        return {w * (at(i, j).position - origin_), w};
+        return {w * glm::clamp(at(i, j).position - origin_, -kLargest, kLargest), w};
     }
 
     // From differences of positions and of weights, so that points which almost coincide cancel nothing:
@@ -108,18 +113,9 @@ private:
         return factorsV_[0][static_cast<size_t>(j)] * difference(at(i, j), at(i, j + 1));
     }
 
-    [[nodiscard]] double heavier(const DifferenceNet<Real>& net, int i, int j) const
-    {
-        return net.orderU + net.orderV != 1
-                   ? 1.0
-                   : std::max(weight(at(i, j)), weight(at(i + net.orderU, j + net.orderV)));
-    }
-
     template <class Value>
     [[nodiscard]] DifferenceNet<Real> filled(int orderU, int orderV, const Value& value) const
     {
-        // Sums of products with basis functions and quotients of them stay finite below this.
-        constexpr double kLargest = std::numeric_limits<Real>::max() / 1e6;
         DifferenceNet<Real> net{
             orderU, orderV, std::max(countU_ - orderU, 0), std::max(countV_ - orderV, 0), {}, {}, {}};
         const size_t row = static_cast<size_t>(net.countV);
@@ -133,13 +129,13 @@ private:
             for (size_t j = 0; j < row; ++j, ++to) {
                 const Vec4 h = value(i, static_cast<int>(j));
                 Real largest = 0;
-                const auto perWeight = static_cast<Real>(1 / heavier(net, i, static_cast<int>(j)));
                 for (int c = 0; c < C; ++c) {
-                    const auto number = static_cast<Real>(std::min(std::max(h[c], -kLargest), kLargest));
+                    // Differences of infinities are no numbers; they become 0.
+                    const double finite = h[c] == h[c] ? h[c] : 0.0;
+                    const auto number = static_cast<Real>(std::min(std::max(finite, -kLargest), kLargest));
                     to[static_cast<size_t>(c) * row] = number;
                     largest = std::max(largest, std::abs(number));
                 }
-                largest *= perWeight;
                 largestOfI = std::max(largestOfI, largest);
                 net.largestOfJ[j] = std::max(net.largestOfJ[j], largest);
             }

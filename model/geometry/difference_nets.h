@@ -18,8 +18,7 @@ struct DifferenceNet {
     int countU = 0;
     int countV = 0;
     std::unique_ptr<Real[]> numbers;  // and kPadding zeros more, so that whole vectors may be read at the end
-    // The largest magnitude of a number, over the larger weight of the two control points that it is a difference of:
-    // of the points (i, j) for each i, and for each j. For first derivatives only.
+    // The largest magnitude of a number: of the points (i, j) for each i, and for each j.
     std::vector<Real> largestOfI;
     std::vector<Real> largestOfJ;
 };

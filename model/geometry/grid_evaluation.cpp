@@ -148,9 +148,11 @@ public:
             task.unsure = unsure.data();
         }
         kernels::evaluate(task);
+        typename PreparedSurface<Real>::Unsure found;
         for (size_t k = 0; k < unsure.size(); ++k)
             if (unsure[k] != 0)
-                settle(firstRow + k / groups, firstGroup + k % groups, unsure[k]);
+                collect(firstRow + k / groups, firstGroup + k % groups, unsure[k], found);
+        prepared_.settleNormals(samples_, found);
     }
 
 private:
@@ -158,13 +160,17 @@ private:
     static constexpr size_t kScratch =
         std::max(16384 / sizeof(Real), kernels::scratchSize<Real>(kMaxDegree, kernels::kMaxFields, 4, 1));
 
-    void settle(size_t row, size_t group, std::uint32_t unsure) const
+    void collect(size_t row, size_t group, std::uint32_t unsure,
+                 typename PreparedSurface<Real>::Unsure& found) const
     {
         for (; unsure != 0; unsure &= unsure - 1) {
             const size_t column = group * static_cast<size_t>(kGroupLanes<Real>) +
                                   static_cast<size_t>(std::countr_zero(unsure));
-            if (column < v_.size())
-                prepared_.settleNormal(samples_, row * samples_.stride() + column, u_[row], v_[column]);
+            if (column >= v_.size())
+                return;
+            found.at.push_back(row * samples_.stride() + column);
+            found.u.push_back(u_[row]);
+            found.v.push_back(v_[column]);
         }
     }
 
@@ -207,19 +213,18 @@ void GridEvaluator<Real>::evaluate(std::span<const SpanParameter> u, std::span<c
     if (u.empty() || v.empty())
         return;
     const GridTask<Real> task(*prepared_, u, v, samples);
-    const size_t rowsInTask = threads == Threads::one || u.size() * v.size() < kWorthThreads
-                                  ? u.size()
-                                  : std::max<size_t>(16, kWorthThreads / v.size());
+    const bool manyThreads = threads == Threads::all && u.size() * v.size() >= kWorthThreads;
+    const size_t rowsInTask = manyThreads ? std::max<size_t>(16, kWorthThreads / v.size()) : u.size();
     const size_t chunks = (u.size() + rowsInTask - 1) / rowsInTask;
     const auto run = [&](size_t k) {
         const size_t firstRow = k % chunks * rowsInTask;
         task.run(k / chunks, firstRow, std::min(firstRow + rowsInTask, u.size()));
     };
-    if (chunks == 1)
+    if (manyThreads)
+        tbb::parallel_for(size_t{0}, task.blockCount() * chunks, run);
+    else
         for (size_t k = 0; k < task.blockCount(); ++k)
             run(k);
-    else
-        tbb::parallel_for(size_t{0}, task.blockCount() * chunks, run);
 }
 
 // Their scattered evaluation: scattered_evaluation.cpp.

@@ -109,7 +109,8 @@ public:
 
     [[nodiscard]] const Vec3& origin() const;
 
-    // Every u with every v. Any order is right; parameters that grow are fastest.
+    // Every u with every v. Any order is right, parameters that grow are fastest: neighbouring v that are
+    // many spans apart cost time and memory for all the spans between.
     void evaluate(std::span<const SpanParameter> u, std::span<const SpanParameter> v,
                   GridSamples<Real>& samples, Threads threads = Threads::all) const;
 

@@ -65,7 +65,7 @@ struct Block {
     // cache.
     bool pastTheCache = false;
 
-    // Normals: a tangent S_u shorter than the row's `shortest`, or S_v than the lane's, may
+    // Normals: a tangent S_u shorter than the row's `shortest` over the weight, or S_v than the lane's, may
     // be nothing but rounding. Bit l of unsure[row * groupCount + g] says that the normal of lane l is to be
     // found in another way.
     std::uint32_t* unsure = nullptr;

@@ -8,6 +8,8 @@
 #define KNOTSPAN_KERNEL_LANES_H
 #endif
 
+#include <limits>
+
 #include <hwy/highway.h>
 
 #include "model/geometry/grid_kernels.h"
@@ -48,6 +50,16 @@ template <class Real>
 HWY_INLINE Triple<Real> minus(const Triple<Real>& a, const Triple<Real>& b, Vec<Real> s)
 {
     return {hn::NegMulAdd(b.x, s, a.x), hn::NegMulAdd(b.y, s, a.y), hn::NegMulAdd(b.z, s, a.z)};
+}
+
+// A quotient or a product of what is itself within the range may be beyond it: such a derivative becomes 0.
+template <class Real>
+HWY_INLINE Triple<Real> inRange(const Triple<Real>& a)
+{
+    const Lanes<Real> d;
+    const Vec<Real> most = hn::Set(d, std::numeric_limits<Real>::max());
+    const auto checked = [&](Vec<Real> v) { return hn::IfThenElseZero(hn::Le(hn::Abs(v), most), v); };
+    return {checked(a.x), checked(a.y), checked(a.z)};
 }
 
 template <class Real>
@@ -139,11 +151,12 @@ HWY_INLINE Triple<Real> projected(const Triple<Real>& xyz, Vec<Real> perWeight)
 
 template <class Real, class Place>
 HWY_INLINE void storeNormal(const Block<Real>& block, const Place& place, size_t firstRow, int r, size_t at,
-                            const Triple<Real>& du, const Triple<Real>& dv)
+                            const Triple<Real>& du, const Triple<Real>& dv, Vec<Real> perWeight)
 {
     const Lanes<Real> d;
     Triple<Real> n;
-    const auto unsure = normal(du, dv, shortestU(place, r), shortestV(place), n);
+    const auto unsure =
+        normal(du, dv, hn::Mul(shortestU(place, r), perWeight), hn::Mul(shortestV(place), perWeight), n);
     store(block, 6, at, n);
     if (HWY_LIKELY(hn::AllFalse(d, unsure)))
         return;
@@ -171,9 +184,9 @@ HWY_INLINE Triple<Real> second(const Homogeneous<Real>& sum, const Firsts<Real>&
                                const Triple<Real>& alongA, Vec<Real> weightB, const Triple<Real>& alongB,
                                Vec<Real> weightA)
 {
-    return minus<Real>(minus<Real>(minus<Real>(sum.xyz, alongA, weightB), alongB, weightA), f.position,
-                       sum.w) *
-           f.perWeight;
+    return inRange(
+        minus<Real>(minus<Real>(minus<Real>(sum.xyz, alongA, weightB), alongB, weightA), f.position, sum.w) *
+        f.perWeight);
 }
 
 template <class Real, int C, int R, class Place, class At>
@@ -226,12 +239,12 @@ HWY_INLINE void evaluateLanes(const Block<Real>& block, const Place& place, size
         sum(place, 1, 1, p, su);
         sum(place, 2, 0, p + 1, sv);
         for (int r = 0; r < R; ++r) {
-            du[r] = C == 4 ? minus<Real>(su[r].xyz, position[r], su[r].w) * perWeight[r] : su[r].xyz;
-            dv[r] = C == 4 ? minus<Real>(sv[r].xyz, position[r], sv[r].w) * perWeight[r] : sv[r].xyz;
+            du[r] = C == 4 ? inRange(minus<Real>(su[r].xyz, position[r], su[r].w) * perWeight[r]) : su[r].xyz;
+            dv[r] = C == 4 ? inRange(minus<Real>(sv[r].xyz, position[r], sv[r].w) * perWeight[r]) : sv[r].xyz;
             store(block, 1, at(r), du[r]);
             store(block, 2, at(r), dv[r]);
             if (block.planes[18] != nullptr)
-                storeNormal(block, place, firstRow, r, at(r), du[r], dv[r]);
+                storeNormal(block, place, firstRow, r, at(r), du[r], dv[r], perWeight[r]);
         }
         if constexpr (Order >= 2) {
             for (int r = 0; r < R; ++r)

@@ -47,8 +47,8 @@ LocalNet::LocalNet(const NurbsSurface& surface, double u, double v) : surface_(s
     lightening_ = std::ldexp(1.0, std::clamp(-std::ilogb(point(heaviestI_, heaviestJ_).weight), -1022, 1022));
     const Box& box = surface.bounds();
     const Vec3 largest = glm::max(glm::abs(box.low), glm::abs(box.high));
-    if (std::max({largest.x, largest.y, largest.z}) > 0x1p1000)
-        shrinking_ = 0x1p-30;
+    if (std::max({largest.x, largest.y, largest.z}) > 0x1p500)
+        shrinking_ = 0x1p-600;
 }
 
 double LocalNet::weight(int i, int j) const

@@ -26,7 +26,7 @@ public:
     [[nodiscard]] Vec3 heaviest() const { return position(heaviestI_, heaviestJ_); }
 
     // All positions are smaller than the surface's by this power of two: 1, but where coordinates are so
-    // large that their differences would overflow.
+    // large that their differences, or their products with weights, would overflow.
     [[nodiscard]] double shrinking() const { return shrinking_; }
 
     // A partial derivative of the homogeneous surface, its space part relative to heaviest() + from.

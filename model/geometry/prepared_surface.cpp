@@ -1,6 +1,7 @@
 #include "model/geometry/prepared_surface.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "model/geometry/evaluation.h"
@@ -14,7 +15,8 @@ double parameter(const KnotVector& knots, const SpanParameter& at)
 {
     const double length = knots[at.span + 1] - knots[at.span];
     const bool ends = at.t >= 1 && knots[at.span + 1] < knots.domainEnd();
-    return knots[at.span] + (ends ? 1 - 0x1p-30 : at.t) * length;
+    const double value = knots[at.span] + (ends ? 1 - 0x1p-30 : at.t) * length;
+    return ends ? std::min(value, std::nextafter(knots[at.span + 1], knots[at.span])) : value;
 }
 
 // Of each span, from the numbers that a tangent on it is a sum of; a rational one is a difference of two such
@@ -39,6 +41,8 @@ PreparedSurface<Real>::PreparedSurface(const NurbsSurface& from, SampleFields wa
     : fields(wanted),
       order(wanted.normals ? std::max(wanted.derivatives, 1) : wanted.derivatives),
       nets(from, order),
+      knotsU(from.knotsU()),
+      knotsV(from.knotsV()),
       basisU(from.knotsU()),
       basisV(from.knotsV())
 {
@@ -69,14 +73,32 @@ void PreparedSurface<Real>::aim(kernels::Block<Real>& block, GridSamples<Real>& 
                 block.planes[3 * field + c] = samples.plane(name, c).data() + start;
 }
 
-template <class Real>
-void PreparedSurface<Real>::settleNormal(GridSamples<Real>& samples, size_t at, const SpanParameter& u,
-                                         const SpanParameter& v) const
+template <>
+void PreparedSurface<float>::settleNormals(GridSamples<float>& samples, const Unsure& unsure) const
 {
-    const Vec3 normal =
-        evaluateNormal(*surface, parameter(surface->knotsU(), u), parameter(surface->knotsV(), v)).direction;
+    if (unsure.at.empty())
+        return;
+    std::call_once(exactOnce, [this] {
+        exact = std::make_unique<GridEvaluator<double>>(*surface, SampleFields{.normals = true});
+    });
+    GridSamples<double> found;
+    exact->evaluateScattered(unsure.u, unsure.v, found, Threads::one);
     for (int c = 0; c < 3; ++c)
-        samples.plane(GridSamples<Real>::kNormal, c)[at] = static_cast<Real>(normal[c]);
+        for (size_t k = 0; k < unsure.at.size(); ++k)
+            samples.plane(GridSamples<float>::kNormal, c)[unsure.at[k]] =
+                static_cast<float>(found.plane(GridSamples<double>::kNormal, c)[k]);
+}
+
+template <>
+void PreparedSurface<double>::settleNormals(GridSamples<double>& samples, const Unsure& unsure) const
+{
+    for (size_t k = 0; k < unsure.at.size(); ++k) {
+        const Vec3 normal =
+            evaluateNormal(*surface, parameter(knotsU, unsure.u[k]), parameter(knotsV, unsure.v[k]))
+                .direction;
+        for (int c = 0; c < 3; ++c)
+            samples.plane(GridSamples<double>::kNormal, c)[unsure.at[k]] = normal[c];
+    }
 }
 
 template struct PreparedSurface<float>;

@@ -1,6 +1,8 @@
 // What grid and scattered evaluation keep of a surface between calls.
 #pragma once
 
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -19,18 +21,27 @@ struct PreparedSurface {
     // plane.
     void aim(kernels::Block<Real>& block, GridSamples<Real>& samples, size_t start) const;
 
-    // Replaces a normal that the kernels could not tell, at index `at` of the planes, by the reference's.
-    void settleNormal(GridSamples<Real>& samples, size_t at, const SpanParameter& u,
-                      const SpanParameter& v) const;
+    // Samples whose normals the kernels could not tell: where in the planes, and at which parameters.
+    struct Unsure {
+        std::vector<size_t> at;
+        std::vector<SpanParameter> u;
+        std::vector<SpanParameter> v;
+    };
+    // Gives them normals with more digits: in float those of the evaluation in double, there the reference's.
+    void settleNormals(GridSamples<Real>& samples, const Unsure& unsure) const;
 
     SampleFields fields;
     int order;  // of the derivatives that are computed
     DifferenceNets<Real> nets;
     std::vector<kernels::Net<Real>> kernelNets;
+    KnotVector knotsU;
+    KnotVector knotsV;
     SpanTables basisU;
     SpanTables basisV;
     std::optional<NurbsSurface> surface;  // where normals are wanted
-    // By span: what a tangent may be by rounding alone. Empty without derivatives.
+    mutable std::once_flag exactOnce;     // for float: made when first needed
+    mutable std::unique_ptr<GridEvaluator<double>> exact;
+    // By span: what a tangent times the weight may be by rounding alone. Empty without derivatives.
     std::vector<Real> shortestU;
     std::vector<Real> shortestV;
 };

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <vector>
 
+#include <hwy/cache_control.h>
 #include <tbb/parallel_for.h>
 
 #include "model/core/check.h"
@@ -32,6 +33,7 @@ void evaluateGroups(const PreparedSurface<Real>& prepared, std::span<const kerne
         kernels::ScatteredPoint<Real> points[kGroupLanes<Real>];
         kernels::ScatteredPoints<Real> task = scattered;
         task.points = points;
+        typename PreparedSurface<Real>::Unsure found;
         for (size_t group = firstGroup; group < lastGroup; ++group) {
             const size_t start = group * kLanes;
             task.count = static_cast<int>(std::min(kLanes, u.size() - start));
@@ -48,9 +50,15 @@ void evaluateGroups(const PreparedSurface<Real>& prepared, std::span<const kerne
             block.unsure = &unsure;
             kernels::evaluate(block, task);
             for (size_t k = 0; k < static_cast<size_t>(task.count); ++k)
-                if ((unsure >> k & 1U) != 0)
-                    prepared.settleNormal(samples, start + k, u[start + k], v[start + k]);
+                if ((unsure >> k & 1U) != 0) {
+                    found.at.push_back(start + k);
+                    found.u.push_back(u[start + k]);
+                    found.v.push_back(v[start + k]);
+                }
         }
+        // What was written past the cache is to be seen by the threads that wait for this one.
+        hwy::FlushStream();
+        prepared.settleNormals(samples, found);
     };
     const size_t tasks = (groups + kGroupsInTask - 1) / kGroupsInTask;
     const auto run = [&](size_t task) {
@@ -133,9 +141,8 @@ void GridEvaluator<Real>::evaluateScatteredBy(Evaluator evaluator, Parameters u,
 {
     const PreparedSurface<Real>& prepared = *prepared_;
     check(prepared.order <= 1, "the shaders' evaluators give first derivatives at most");
-    check(prepared.surface.has_value(), "evaluating as a shader does asks for normals");
-    const KnotVector& knotsU = prepared.surface->knotsU();
-    const KnotVector& knotsV = prepared.surface->knotsV();
+    const KnotVector& knotsU = prepared.knotsU;
+    const KnotVector& knotsV = prepared.knotsV;
     // Every derivative from the points themselves: the slopes are in the basis functions.
     std::vector<kernels::Net<Real>> nets(prepared.kernelNets.size(), prepared.kernelNets[0]);
     kernels::ScatteredPoints<Real> scattered;

@@ -1,24 +1,45 @@
 #include "model/geometry/simd_targets.h"
 
+#include <algorithm>
 #include <cstdint>
 
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "model/geometry/simd_targets.cpp"
+#include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+HWY_BEFORE_NAMESPACE();
+namespace knotspan::HWY_NAMESPACE {
+namespace {
+
+// Which of the kernels' versions runs is told by the one that does.
+std::int64_t RunningTarget()
+{
+    return HWY_TARGET;
+}
+
+}  // namespace
+}  // namespace knotspan::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
 namespace knotspan {
 
 namespace {
 
+HWY_EXPORT(RunningTarget);
+
 // One bit each, the best one lowest.
-std::vector<std::int64_t> targetBits()
+const std::vector<std::int64_t>& targetBits()
 {
-    hwy::SetSupportedTargetsForTest(0);
-    std::vector<std::int64_t> bits;
-    for (std::int64_t rest = hwy::SupportedTargets() & HWY_TARGETS; rest != 0; rest &= rest - 1)
-        bits.push_back(rest & -rest);
+    static const std::vector<std::int64_t> bits = [] {
+        std::vector<std::int64_t> found;
+        for (std::int64_t rest = hwy::SupportedTargets() & HWY_TARGETS; rest != 0; rest &= rest - 1)
+            found.push_back(rest & -rest);
+        return found;
+    }();
     return bits;
 }
-
-std::int64_t bitInUse = 0;  // 0: not chosen by hand
 
 }  // namespace
 
@@ -32,16 +53,16 @@ std::vector<std::string> simdTargets()
 
 std::string simdTargetInUse()
 {
-    return hwy::TargetName(bitInUse != 0 ? bitInUse : targetBits().front());
+    return hwy::TargetName(HWY_DYNAMIC_DISPATCH(RunningTarget)());
 }
 
 void useSimdTarget(const std::string& name)
 {
-    bitInUse = 0;
-    for (const std::int64_t bit : targetBits())
-        if (hwy::TargetName(bit) == name)
-            bitInUse = bit;
-    hwy::GetChosenTarget().Update(bitInUse != 0 ? bitInUse : hwy::SupportedTargets());
+    const auto& bits = targetBits();
+    const auto found = std::find_if(bits.begin(), bits.end(),
+                                    [&](std::int64_t bit) { return hwy::TargetName(bit) == name; });
+    hwy::GetChosenTarget().Update(found == bits.end() ? hwy::SupportedTargets() : *found);
 }
 
 }  // namespace knotspan
+#endif

@@ -1,7 +1,5 @@
 #include "model/geometry/span_parameter.h"
 
-#include <algorithm>
-
 #include "model/core/check.h"
 
 namespace knotspan {
@@ -11,7 +9,7 @@ std::vector<SpanParameter> spanParameters(const KnotVector& knots, std::span<con
     std::vector<SpanParameter> result;
     result.reserve(values.size());
     for (double u : values) {
-        u = u > knots.domainStart() ? std::min(u, knots.domainEnd()) : knots.domainStart();
+        u = knots.inDomain(u);
         const int span = knots.findSpan(u);
         result.push_back({span, (u - knots[span]) / (knots[span + 1] - knots[span])});
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "model/core/check.h"
+#include "model/geometry/evaluator_tables.h"
 
 namespace knotspan {
 
@@ -13,16 +14,16 @@ SpanTables::SpanTables(const KnotVector& knots)
 {
     numbers_.reserve(knots.spans().size() * size_);
     for (const int span : knots.spans()) {
-        tableOf_[static_cast<size_t>(span)] = static_cast<int>(numbers_.size());
+        tableOf_[static_cast<size_t>(span)] = static_cast<std::int64_t>(numbers_.size());
         const size_t start = numbers_.size();
-        const double length = knots[span + 1] - knots[span];
-        for (int j = 1; j <= degree_; ++j)
-            numbers_.push_back((knots[span] - knots[span + 1 - j]) / length);
-        for (int j = 1; j <= degree_; ++j)
-            numbers_.push_back((knots[span + j] - knots[span + 1]) / length);
+        // Beyond so many spans the share of a neighbour is less than double can tell from nothing.
+        const auto differences = evaluator_tables::differences<double>(knots, span, 1e300);
+        numbers_.insert(numbers_.end(), differences.begin(), differences.end());
+        const double* left = differences.data();
+        const double* right = left + degree_;
         for (int d = 1; d <= degree_; ++d)
             for (int r = 0; r < d; ++r)
-                numbers_.push_back(length / (knots[span + r + 1] - knots[span + r + 1 - d]));
+                numbers_.push_back(1 / (1 + left[d - r - 1] + right[r]));
         check(numbers_.size() == start + size_, "a span's table has its size");
     }
 }

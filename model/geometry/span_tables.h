@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -27,8 +28,8 @@ public:
 
 private:
     int degree_;
-    size_t size_;               // numbers a span
-    std::vector<int> tableOf_;  // where the table of a span starts; -1 where the span has no length
+    size_t size_;                        // numbers a span
+    std::vector<std::int64_t> tableOf_;  // where the table of a span starts; -1 where the span has no length
     std::vector<double> numbers_;
 };
 

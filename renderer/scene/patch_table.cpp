@@ -67,23 +67,22 @@ PointFrame PointFrame::of(const NurbsSurface& surface)
     return frame;
 }
 
-Vec4 PointFrame::pack(const ControlPoint& point) const
+Vec4 PointFrame::pack(const ControlPoint& point, double largest) const
 {
     // Not zero: a point of no weight that shapes a KSQuad alone would be nowhere.
     const double scaled = std::max(point.weight / weight, 1e-30);
-    return {(point.position - origin) * scaled, scaled};
+    return {glm::clamp(point.position - origin, -largest, largest) * scaled, scaled};
 }
 
 template <class Real>
 std::vector<glm::vec<4, Real>> packPoints(const PointFrame& frame, std::span<const ControlPoint> points)
 {
-    std::vector<glm::vec<4, Real>> packed(points.size());
     // Sums and quotients of numbers below this stay finite; a surface beyond it is drawn, not rightly, but as
     // numbers.
     constexpr double kLargest = std::numeric_limits<Real>::max() / 1e8;
-    std::transform(points.begin(), points.end(), packed.begin(), [&](const ControlPoint& point) {
-        return glm::vec<4, Real>(glm::clamp(frame.pack(point), -kLargest, kLargest));
-    });
+    std::vector<glm::vec<4, Real>> packed(points.size());
+    std::transform(points.begin(), points.end(), packed.begin(),
+                   [&](const ControlPoint& point) { return glm::vec<4, Real>(frame.pack(point, kLargest)); });
     return packed;
 }
 

@@ -31,7 +31,8 @@ struct PointFrame {
     double extent = 0.0;  // the largest coordinate after the subtraction
 
     [[nodiscard]] static PointFrame of(const NurbsSurface& surface);
-    [[nodiscard]] Vec4 pack(const ControlPoint& point) const;
+    // Homogeneous, coordinates of at most `largest`.
+    [[nodiscard]] Vec4 pack(const ControlPoint& point, double largest) const;
 };
 template <class Real>
 [[nodiscard]] std::vector<glm::vec<4, Real>> packPoints(const PointFrame& frame,

@@ -295,6 +295,16 @@ void addRangeOfDouble(Table& table)
     auto& uneasy = table.add("weights over 600 orders", rough(uneven(3, 3, 3), uneven(3, 3, 3), 600));
     uneasy.onlyFinite = true;
     uneasy.reason = "the derivatives of hundreds of orders are not representable, nor do 50 digits tell them";
+    table.add("spans of 5e-310 and 1", rough(clamped(2, {5e-310}, 0, 1), uneven(2, 2, 2)));
+    table.add("spans of 1e-300 and 1e10", rough(clamped(3, {1e-300}, 0, 1e10), uneven(2, 2, 2)));
+    auto& vast = table.add("coordinates of 1e300, weights 1e8",
+                           scaled(rough(clamped(2, {0.5, 0.5}, 0, 1), uneven(3, 3, 3), 8), 1e300));
+    vast.onlyFinite = true;
+    vast.reason = "derivatives are beyond the range";
+    auto& steep = table.add("coordinates of 1e12, weights 1e8, spans 1e9",
+                            scaled(rough(uneven(3, 4, 1e9), uneven(3, 3, 1e9), 8), 1e12));
+    steep.onlyFinite = true;
+    steep.reason = "float cannot hold its second derivatives";
     table.add("domain of 1e-300", rough(clamped(3, {1e-301, 3e-301}, 0, 1e-300), uneven(3, 3, 3)));
     table.add("domain of 1e300", rough(clamped(3, {1e299, 3e299}, 0, 1e300), uneven(3, 3, 3)));
 }
