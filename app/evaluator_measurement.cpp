@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cmath>
 
+#include "model/core/spread.h"
+
 namespace knotspan::app {
 namespace {
 
@@ -62,9 +64,7 @@ double medianOf(const std::function<double()>& seconds)
     const auto start = Clock::now();
     while (values.size() < kRepeats && (values.empty() || secondsSince(start) < kPatience))
         values.push_back(seconds());
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
+    return spreadOf(std::move(values)).median;
 }
 
 void fillSpeed(EvaluatorRow& row, size_t points, double seconds)

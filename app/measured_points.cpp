@@ -6,6 +6,7 @@
 
 #include "model/geometry/evaluator_tables.h"
 #include "model/geometry/ksquad.h"
+#include "model/geometry/span_numbers.h"
 #include "shaders/shared/nurbs_basis.glsl"
 
 namespace knotspan::app {
@@ -26,27 +27,26 @@ private:
 // One direction of a surface: the span tables of the evaluator `triangular`.
 class ExactBasis {
 public:
-    explicit ExactBasis(const KnotVector& knots) : degree_(knots.degree()), startOf_(knots.values().size())
+    explicit ExactBasis(const KnotVector& knots)
+        : degree_(knots.degree()),
+          tables_(knots, [&knots](int span, std::vector<Exact>& numbers) {
+              constexpr Exact kMostSpans = 1e300L;
+              const auto table = evaluator_tables::differences<Exact>(knots, span, kMostSpans);
+              numbers.insert(numbers.end(), table.begin(), table.end());
+          })
     {
-        constexpr Exact kMostSpans = 1e300L;
-        for (const int span : knots.spans()) {
-            startOf_[static_cast<size_t>(span)] = static_cast<gpu::uint>(numbers_.size());
-            const auto table = evaluator_tables::differences<Exact>(knots, span, kMostSpans);
-            numbers_.insert(numbers_.end(), table.begin(), table.end());
-        }
     }
 
     [[nodiscard]] gpu::BasisValues<Exact> at(const SpanParameter& place) const
     {
         return gpu::evaluateBasisValues<Evaluator::triangular, Exact>(
-            TableSource<Exact>{numbers_.data()}, startOf_[static_cast<size_t>(place.span)], degree_,
+            TableSource<Exact>{tables_.data()}, static_cast<gpu::uint>(tables_.startOf(place.span)), degree_,
             static_cast<Exact>(place.t));
     }
 
 private:
     int degree_;
-    std::vector<gpu::uint> startOf_;
-    std::vector<Exact> numbers_;
+    SpanNumbers<Exact> tables_;
 };
 
 class ExactSurface {

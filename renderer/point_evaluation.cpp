@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "model/core/spread.h"
+
 namespace knotspan {
 
 namespace {
@@ -23,13 +25,6 @@ std::vector<gpu::RequestRecord<Real>> requestsFor(const std::vector<Resident>& r
         requests.push_back({*ksquad, {static_cast<Real>(point.u), static_cast<Real>(point.v)}});
     }
     return requests;
-}
-
-double median(std::vector<double> values)
-{
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
 }
 
 }  // namespace
@@ -129,7 +124,7 @@ double PointEvaluation::evaluateBatch(VkPipeline pipeline, std::span<const gpu::
         std::memcpy(&at, readBack.mapped() + k * sizeof(at), sizeof(at));
         to.push_back({Vec3(at.position), Vec3(at.du), Vec3(at.dv), Vec3(at.normal)});
     }
-    return median(std::move(milliseconds));
+    return spreadOf(std::move(milliseconds)).median;
 }
 
 template <class T>

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "benchmarks/evaluation/cases.h"
+#include "model/core/spread.h"
 
 namespace knotspan::benchmarks {
 
@@ -12,13 +13,6 @@ namespace {
 bool isPeer(const std::string& who)
 {
     return who.rfind("SISL", 0) == 0 || who.rfind("OCCT", 0) == 0;
-}
-
-double median(std::vector<double> values)
-{
-    std::sort(values.begin(), values.end());
-    const size_t middle = values.size() / 2;
-    return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
 }
 
 }  // namespace
@@ -52,10 +46,11 @@ void RatioReporter::Finalize()
                     ratios.push_back(found->second / time);
             if (ratios.empty())
                 continue;
+            const size_t count = ratios.size();
+            const Spread spread = spreadOf(std::move(ratios));
             std::printf(
                 "%-34s against %-28s: least %5.1f, median %5.1f, most %5.1f times as fast (%zu cases)\n",
-                ours.c_str(), peer.c_str(), *std::min_element(ratios.begin(), ratios.end()), median(ratios),
-                *std::max_element(ratios.begin(), ratios.end()), ratios.size());
+                ours.c_str(), peer.c_str(), spread.min, spread.median, spread.max, count);
         }
     }
     std::printf("\n%-36s", "million points a second");

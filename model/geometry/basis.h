@@ -18,11 +18,8 @@ using BasisOfDegrees = std::array<BasisRow, 3>;
 // last place. The NURBS Book, A2.2, with differences of knots only.
 [[nodiscard]] BasisOfDegrees basisOfDegrees(const KnotVector& knots, int span, double u);
 
-// Row k holds the k-th derivatives of N_{i-p,p} .. N_{i,p}, the only ones that are not zero on span i.
-using BasisDerivatives = std::array<BasisRow, 3>;
-
-// Values, first and second derivatives at u on the span `span` (U_span < U_{span+1}). Only columns 0 ..
-// degree are set, the others are 0. The NURBS Book, A2.3.
-[[nodiscard]] BasisDerivatives basisDerivatives(const KnotVector& knots, int span, double u);
+// One step of the recursion that makes them: from N_{i-d+1,d-1} .. N_{i,d-1} to N_{i-d,d} .. N_{i,d}, in
+// place. With an argument of its own at each step it gives the blossom.
+void raiseDegree(const KnotVector& knots, int span, double u, int d, BasisRow& row);
 
 }  // namespace knotspan

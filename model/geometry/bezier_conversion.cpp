@@ -3,6 +3,7 @@
 #include <array>
 
 #include "model/core/check.h"
+#include "model/geometry/basis.h"
 
 namespace knotspan {
 
@@ -15,51 +16,33 @@ std::vector<double> bezierMatrix(const KnotVector& knots, int span)
     std::vector<double> matrix;
     matrix.reserve(static_cast<size_t>((p + 1) * (p + 1)));
     for (int k = 0; k <= p; ++k) {
-        // The recursion of the basis functions (The NURBS Book, A2.2) with an argument of its own at each
-        // level. Both shares come from differences of knots that are not negative, so nothing cancels; a
+        // Both shares of a step come from differences of knots that are not negative, so nothing cancels; a
         // share of 0 or 1 is exact, so that a border gets the same bits from both sides.
-        std::array<double, kMaxDegree + 1> row{1.0};
-        for (int d = 1; d <= p; ++d) {
-            const double argument = d <= k ? end : start;
-            double saved = 0;
-            for (int r = 0; r < d; ++r) {
-                const double low = knots[span + r + 1 - d];
-                const double high = knots[span + r + 1];
-                const double value = row[static_cast<size_t>(r)];
-                row[static_cast<size_t>(r)] = saved + value * ((high - argument) / (high - low));
-                saved = value * ((argument - low) / (high - low));
-            }
-            row[static_cast<size_t>(d)] = saved;
-        }
+        BasisRow row{1.0};
+        for (int d = 1; d <= p; ++d)
+            raiseDegree(knots, span, d <= k ? end : start, d, row);
         matrix.insert(matrix.end(), row.begin(), row.begin() + p + 1);
     }
     return matrix;
 }
 
-BezierConversion::Matrices::Matrices(const KnotVector& knots)
-    : size(static_cast<size_t>((knots.degree() + 1) * (knots.degree() + 1))),
-      startOf(knots.values().size(), -1)
+namespace {
+
+SpanNumbers<double> matricesOf(const KnotVector& knots)
 {
-    numbers.reserve(size * knots.spans().size());
-    for (const int span : knots.spans()) {
-        startOf[static_cast<size_t>(span)] = static_cast<int>(numbers.size() / size);
-        const std::vector<double> matrix = bezierMatrix(knots, span);
-        numbers.insert(numbers.end(), matrix.begin(), matrix.end());
-    }
+    return {knots, [&knots](int span, std::vector<double>& numbers) {
+                const std::vector<double> matrix = bezierMatrix(knots, span);
+                numbers.insert(numbers.end(), matrix.begin(), matrix.end());
+            }};
 }
 
-const double* BezierConversion::Matrices::of(int span) const
-{
-    const int start = startOf.at(static_cast<size_t>(span));
-    check(start >= 0, "a KSQuad lies over spans that have a length");
-    return numbers.data() + static_cast<size_t>(start) * size;
-}
+}  // namespace
 
 BezierConversion::BezierConversion(const NurbsSurface& surface, const Vec3& origin)
     : surface_(surface),
       origin_(origin),
-      alongU_(surface.knotsU()),
-      alongV_(surface.knotsV())
+      alongU_(matricesOf(surface.knotsU())),
+      alongV_(matricesOf(surface.knotsV()))
 {
 }
 
@@ -67,8 +50,8 @@ BezierNet BezierConversion::net(const KsQuad& quad) const
 {
     const int p = surface_.degreeU();
     const int q = surface_.degreeV();
-    const double* const matrixU = alongU_.of(quad.spanU);
-    const double* const matrixV = alongV_.of(quad.spanV);
+    const double* const matrixU = alongU_.data() + alongU_.startOf(quad.spanU);
+    const double* const matrixV = alongV_.data() + alongV_.startOf(quad.spanV);
     BezierNet result{p, q, std::vector<Vec4>(static_cast<size_t>((p + 1) * (q + 1)), Vec4(0))};
     for (int i = 0; i <= p; ++i) {
         std::array<Vec4, kMaxDegree + 1> given;

@@ -10,6 +10,7 @@
 
 #include "model/geometry/knot_insertion.h"
 #include "model/geometry/ksquad.h"
+#include "model/geometry/span_numbers.h"
 
 namespace knotspan {
 
@@ -44,19 +45,10 @@ public:
     [[nodiscard]] BezierNet net(const KsQuad& quad) const;
 
 private:
-    struct Matrices {
-        explicit Matrices(const KnotVector& knots);
-        [[nodiscard]] const double* of(int span) const;
-
-        size_t size;
-        std::vector<int> startOf;  // by span; -1 where it has no length
-        std::vector<double> numbers;
-    };
-
     const NurbsSurface& surface_;
     Vec3 origin_;
-    Matrices alongU_;
-    Matrices alongV_;
+    SpanNumbers<double> alongU_;
+    SpanNumbers<double> alongV_;
 };
 
 // Point b_k of a Bézier curve is the blossom of the B-spline curve at (degree - k) times the span's start and

@@ -26,8 +26,7 @@ std::vector<ControlPoint> boundary(const NurbsSurface& surface, bool alongV, boo
 {
     const KnotVector& across = alongV ? surface.knotsU() : surface.knotsV();
     const int span = atEnd ? across.spans().back() : across.spans().front();
-    const BasisRow basis =
-        basisDerivatives(across, span, atEnd ? across.domainEnd() : across.domainStart())[0];
+    const BasisRow basis = basisOfDegrees(across, span, atEnd ? across.domainEnd() : across.domainStart())[0];
     const Vec3 origin = surface.controlPoint(0, 0).position;
     std::vector<ControlPoint> result(static_cast<size_t>(alongV ? surface.countV() : surface.countU()));
     for (size_t k = 0; k < result.size(); ++k) {

@@ -73,12 +73,11 @@ void evaluateGroups(const PreparedSurface<Real>& prepared, std::span<const kerne
 // A direction's span tables for one of the shaders' evaluators.
 template <class Real>
 struct EvaluatorTables {
-    EvaluatorTables(Evaluator evaluator, const KnotVector& of) : knots(of), startOf(of.values().size())
+    EvaluatorTables(Evaluator evaluator, const KnotVector& of)
+        : knots(of),
+          tables(of,
+                 [&](int span, std::vector<Real>& numbers) { appendSpanTable(evaluator, of, span, numbers); })
     {
-        for (const int span : of.spans()) {
-            startOf[static_cast<size_t>(span)] = static_cast<gpu::uint>(numbers.size());
-            appendSpanTable(evaluator, of, span, numbers);
-        }
     }
 
     template <Evaluator evaluator>
@@ -86,7 +85,7 @@ struct EvaluatorTables {
     {
         const int degree = knots.degree();
         const auto basis = gpu::evaluateBasis<static_cast<gpu::uint>(evaluator), Real>(
-            TableSource<Real>{numbers.data()}, startOf[static_cast<size_t>(at.span)], degree,
+            TableSource<Real>{tables.data()}, static_cast<gpu::uint>(tables.startOf(at.span)), degree,
             static_cast<Real>(at.t));
         first = at.span - degree;
         const Real perLength = Real(1 / (knots[at.span + 1] - knots[at.span]));
@@ -97,8 +96,7 @@ struct EvaluatorTables {
     }
 
     const KnotVector& knots;
-    std::vector<gpu::uint> startOf;  // by span
-    std::vector<Real> numbers;
+    SpanNumbers<Real> tables;
 };
 
 }  // namespace

@@ -5,12 +5,10 @@
 // of the recursion's denominators in the order in which it takes them.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <span>
-#include <vector>
 
 #include "model/geometry/basis_kernels.h"
+#include "model/geometry/span_numbers.h"
 #include "model/geometry/span_parameter.h"
 
 namespace knotspan {
@@ -28,9 +26,7 @@ public:
 
 private:
     int degree_;
-    size_t size_;                        // numbers a span
-    std::vector<std::int64_t> tableOf_;  // where the table of a span starts; -1 where the span has no length
-    std::vector<double> numbers_;
+    SpanNumbers<double> tables_;
 };
 
 }  // namespace knotspan

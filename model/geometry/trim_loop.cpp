@@ -35,7 +35,7 @@ Vec2 TrimCurve::evaluate(double t) const
 {
     t = std::clamp(t, knots_.domainStart(), knots_.domainEnd());
     const int span = knots_.findSpan(t);
-    const BasisRow basis = basisDerivatives(knots_, span, t)[0];
+    const BasisRow basis = basisOfDegrees(knots_, span, t)[0];
     const size_t first = static_cast<size_t>(span - knots_.degree());
     const Vec2 origin = points_[first].position;
     Vec2 sum{0};

@@ -35,12 +35,6 @@ std::string bytesText(std::uint64_t bytes)
     return printed("%.1f MB", static_cast<double>(bytes) / (1024.0 * 1024.0));
 }
 
-Milliseconds spread(std::vector<double> values)
-{
-    std::sort(values.begin(), values.end());
-    return {values.front(), values[values.size() / 2], values.back()};
-}
-
 // Overloads for the kinds of value, as text and as JSON.
 struct AsText {
     const StatField& field;
@@ -58,7 +52,7 @@ struct AsText {
     {
         return field.unit == "bytes" ? bytesText(value) : grouped(value) + suffix();
     }
-    std::string operator()(const Milliseconds& ms) const
+    std::string operator()(const Spread& ms) const
     {
         if (ms.min == ms.max)
             return printed("%.2f", ms.median) + suffix();
@@ -77,7 +71,7 @@ struct AsText {
 };
 
 struct AsJson {
-    nlohmann::ordered_json operator()(const Milliseconds& ms) const
+    nlohmann::ordered_json operator()(const Spread& ms) const
     {
         return {{"min", ms.min}, {"median", ms.median}, {"max", ms.max}};
     }
@@ -144,8 +138,8 @@ FrameStats combined(const std::vector<FrameStats>& frames)
         gpu.push_back(frame.gpuMs.median);
         stats.uploadBytesPerFrame = std::max(stats.uploadBytesPerFrame, frame.uploadBytesPerFrame);
     }
-    stats.cpuMs = spread(std::move(cpu));
-    stats.gpuMs = spread(std::move(gpu));
+    stats.cpuMs = spreadOf(std::move(cpu));
+    stats.gpuMs = spreadOf(std::move(gpu));
     return stats;
 }
 

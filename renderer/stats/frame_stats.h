@@ -8,16 +8,10 @@
 #include <variant>
 #include <vector>
 
+#include "model/core/spread.h"
 #include "renderer/culling/cull_modes.h"
 
 namespace knotspan {
-
-// Milliseconds over the frames of a run; one frame has all three equal.
-struct Milliseconds {
-    double min = 0;
-    double median = 0;
-    double max = 0;
-};
 
 struct FrameStats {
     std::string device;
@@ -36,14 +30,15 @@ struct FrameStats {
     std::uint64_t triangles = 0;
     std::uint64_t evaluations = 0;  // surface points evaluated to place vertices
     std::uint64_t frames = 1;
-    Milliseconds cpuMs;  // preparing and recording, without waiting
-    Milliseconds gpuMs;  // from the device's timestamps
+    // Over the frames of a run.
+    Spread cpuMs;  // preparing and recording, without waiting
+    Spread gpuMs;  // from the device's timestamps
     std::uint64_t uploadBytesFirst = 0;
     std::uint64_t uploadBytesPerFrame = 0;
     std::uint64_t deviceBytes = 0;
 };
 
-using StatValue = std::variant<std::string, std::vector<std::string>, double, std::uint64_t, Milliseconds,
+using StatValue = std::variant<std::string, std::vector<std::string>, double, std::uint64_t, Spread,
                                std::array<std::uint64_t, kCullModeCount>>;
 
 struct StatField {

@@ -17,13 +17,6 @@ namespace {
 
 using namespace knotspan::testing;
 
-std::filesystem::path sampleFile(const TemporaryFolder& folder, const std::string& name)
-{
-    const std::filesystem::path path = folder / (name + ".knotspan");
-    EXPECT_TRUE(formats::write(findSample(name)->make(), path).has_value());
-    return path;
-}
-
 // A model with one surface, trimmed by a triangle.
 std::filesystem::path trimmedFile(const TemporaryFolder& folder)
 {

@@ -21,13 +21,6 @@ namespace {
 
 using namespace knotspan::testing;
 
-std::filesystem::path sampleFile(const TemporaryFolder& folder, const std::string& name)
-{
-    const std::filesystem::path path = folder / (name + ".knotspan");
-    EXPECT_TRUE(formats::write(findSample(name)->make(), path).has_value());
-    return path;
-}
-
 TEST(MainWindow, ItsGrabShowsTheModel)
 {
     Answers answers;

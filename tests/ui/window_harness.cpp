@@ -9,7 +9,10 @@
 #include <QWindow>
 
 #include <glm/geometric.hpp>
+#include <gtest/gtest.h>
 
+#include "model/formats/format_list.h"
+#include "model/samples/sample_list.h"
 #include "model/scene/control_point_editing.h"
 
 namespace knotspan::testing {
@@ -51,6 +54,13 @@ std::unique_ptr<MainWindow> shownWindow(Answers& answers, const std::string& sam
     window->show();
     settle(*window);
     return window;
+}
+
+std::filesystem::path sampleFile(const TemporaryFolder& folder, const std::string& name)
+{
+    const std::filesystem::path path = folder / (name + ".knotspan");
+    EXPECT_TRUE(formats::write(findSample(name)->make(), path).has_value());
+    return path;
 }
 
 QImage picture(MainWindow& window)

@@ -2,11 +2,13 @@
 // pointer events to whichever surface the viewport has, and waiting for the picture.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 
 #include <QApplication>
 #include <QImage>
 
+#include "tests/support.h"
 #include "ui/main_window.h"
 
 namespace knotspan::testing {
@@ -27,6 +29,9 @@ bool settle(MainWindow& window);
 
 // A small window (software Vulkan is slow) with a sample, shown and drawn.
 [[nodiscard]] std::unique_ptr<MainWindow> shownWindow(Answers& answers, const std::string& sample);
+
+// A file of a sample.
+[[nodiscard]] std::filesystem::path sampleFile(const TemporaryFolder& folder, const std::string& name);
 
 // The renderer's last picture.
 [[nodiscard]] QImage picture(MainWindow& window);
