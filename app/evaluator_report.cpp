@@ -154,7 +154,7 @@ std::string tableOf(const EvaluatorReport& report)
     return text + "\n" + tailText();
 }
 
-std::string jsonOf(const EvaluatorReport& report)
+nlohmann::ordered_json jsonOf(const EvaluatorReport& report)
 {
     Json rows = Json::array();
     for (const EvaluatorRow& row : report.rows) {
@@ -171,11 +171,10 @@ std::string jsonOf(const EvaluatorReport& report)
             json["unavailable"] = row.unavailable;
         rows.push_back(std::move(json));
     }
-    const Json whole{{"device", report.device.empty() ? Json(nullptr) : Json(report.device)},
-                     {"simd", report.simd},
-                     {"points", report.points},
-                     {"evaluators", std::move(rows)}};
-    return whole.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return {{"device", report.device.empty() ? Json(nullptr) : Json(report.device)},
+            {"simd", report.simd},
+            {"points", report.points},
+            {"evaluators", std::move(rows)}};
 }
 
 Plot plotOf(const EvaluatorReport& report)

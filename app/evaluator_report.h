@@ -3,8 +3,10 @@
 
 #include <string>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "app/evaluator_measurement.h"
-#include "app/measurement_plot.h"
+#include "ui/plots/plot.h"
 
 namespace knotspan::app {
 
@@ -22,7 +24,7 @@ struct EvaluatorReport {
 };
 
 [[nodiscard]] std::string tableOf(const EvaluatorReport& report);
-[[nodiscard]] std::string jsonOf(const EvaluatorReport& report);
+[[nodiscard]] nlohmann::ordered_json jsonOf(const EvaluatorReport& report);
 [[nodiscard]] Plot plotOf(const EvaluatorReport& report);  // error against time per point
 
 }  // namespace knotspan::app

@@ -1,47 +1,50 @@
 #include <iostream>
 #include <memory>
-#include <optional>
 
 #include <QIODevice>
+#include <nlohmann/json.hpp>
 #include <unistd.h>
 
-#include "app/arguments.h"
 #include "app/commands.h"
 #include "app/evaluator_report.h"
+#include "app/measure_options.h"
 #include "app/output.h"
+#include "app/path_report.h"
 #include "model/geometry/ksquad.h"
 #include "model/geometry/simd_targets.h"
+#include "ui/plots/plot_svg.h"
 
 namespace knotspan::app {
 namespace {
 
-struct Options {
-    std::string file;
-    bool json = false;
-    std::optional<std::string> plot;
-    std::optional<int> device;
-    int points = 200'000;
-};
-
-// Results of 4 million points in double are about 1 GB, on the device and here.
-constexpr int kMostPoints = 4'000'000;
-
 // One line that is written over, only where a person looks on.
 class Progress {
 public:
+    explicit Progress(std::string what) : what_(std::move(what)) {}
+
     void operator()(size_t row, size_t rows) const
     {
         if (shown_)
-            std::cerr << "\rMeasuring " << row + 1 << " of " << rows << std::flush;
+            std::cerr << "\rMeasuring " << what_ << ": " << row + 1 << " of " << rows << std::flush;
     }
     void clear() const
     {
         if (shown_)
-            std::cerr << '\r' << std::string(40, ' ') << '\r' << std::flush;
+            std::cerr << '\r' << std::string(60, ' ') << '\r' << std::flush;
     }
 
 private:
+    std::string what_;
     bool shown_ = ::isatty(STDERR_FILENO) != 0;
+};
+
+// The model, and the device where there is one.
+struct Subject {
+    std::string file;
+    Scene scene;
+    Result<std::unique_ptr<Renderer>> renderer;
+
+    [[nodiscard]] std::string device() const { return renderer ? (*renderer)->deviceName() : ""; }
 };
 
 void describe(const Scene& scene, EvaluatorReport& report)
@@ -58,61 +61,120 @@ void describe(const Scene& scene, EvaluatorReport& report)
     }
 }
 
-// Without a device the rows of the GPU say why; a device that was asked for must be there.
-Result<std::unique_ptr<Renderer>> rendererFor(const Scene& scene, const Options& options)
+Result<EvaluatorReport> measureEvaluators(const Subject& subject, size_t count)
 {
-    auto renderer = Renderer::create({options.device, false});
-    if (renderer)
-        if (auto synced = (*renderer)->sync(scene); !synced)
-            return tl::unexpected(synced.error());
-    return renderer;
-}
-
-Result<EvaluatorReport> measure(const Options& options)
-{
-    const auto scene = readModel(options.file);
-    if (!scene)
-        return tl::unexpected(scene.error());
     EvaluatorReport report;
-    describe(*scene, report);
-    if (report.surfaces == 0)
-        return tl::unexpected<Error>(
-            {"The model holds nothing to measure", options.file, "Choose another model"});
-    const auto renderer = rendererFor(*scene, options);
-    if (!renderer && options.device)
-        return tl::unexpected(renderer.error());
-    report.file = std::filesystem::path(options.file).filename().string();
-    report.device = renderer ? (*renderer)->deviceName() : "";
+    describe(subject.scene, report);
+    if (subject.renderer)
+        if (auto synced = (*subject.renderer)->sync(subject.scene); !synced)
+            return tl::unexpected(synced.error());
+    report.file = subject.file;
+    report.device = subject.device();
     report.simd = simdTargetInUse();
-    report.points = static_cast<size_t>(options.points);
-    const MeasuredPoints points = measuredPoints(*scene, report.points);
+    report.points = count;
+    const MeasuredPoints points = measuredPoints(subject.scene, report.points);
     report.exactPoints = points.exact;
-    const Progress progress;
-    report.rows = measureEvaluators({points, report.highestDegree, renderer ? renderer->get() : nullptr,
-                                     renderer ? "" : renderer.error().sentence(), progress});
+    const Progress progress("evaluators");
+    report.rows = app::measureEvaluators(
+        {points, report.highestDegree, subject.renderer ? subject.renderer->get() : nullptr,
+         subject.renderer ? "" : subject.renderer.error().sentence(), progress});
     progress.clear();
     return report;
 }
 
-int run(const Options& options)
+PathReport measurePaths(const Subject& subject, const MeasureRequest& request)
 {
-    if (options.plot) {
-        if (std::filesystem::path(*options.plot).extension() != ".svg")
-            throw CLI::ValidationError("--plot", "'" + *options.plot + "' should end in .svg");
-        if (isSameFile(*options.plot, options.file))
-            throw CLI::ValidationError("--plot", "'" + *options.plot + "' is the model; choose another file");
-        if (const auto place = checkPlace(*options.plot); !place)
-            return failed(place.error());
+    PathReport report{subject.file, subject.device(), request.ofPaths, {}};
+    Frame& frame = report.request.frame;
+    frame.camera = *namedView(request.view, subject.scene.controlPoints(),
+                              static_cast<double>(frame.width) / frame.height, false);
+    if (!subject.renderer) {
+        report.rows =
+            plannedRows(report.request, [&](PathId) { return subject.renderer.error().sentence(); });
+        return report;
     }
-    const auto report = measure(options);
-    if (!report)
-        return failed(report.error());
-    if (options.plot)
+    PathMeasurement measurement(**subject.renderer, subject.scene, report.request);
+    const Progress progress("paths");
+    do
+        progress(std::min(measurement.rowsDone(), measurement.rows().size() - 1), measurement.rows().size());
+    while (measurement.step());
+    progress.clear();
+    report.rows = measurement.rows();
+    return report;
+}
+
+// Without a device the rows of the GPU say why; a device that was asked for must be there.
+Result<Subject> subjectOf(const MeasureTexts& texts)
+{
+    auto scene = readModel(texts.file);
+    if (!scene)
+        return tl::unexpected(scene.error());
+    if (scene->bounds().isEmpty())
+        return tl::unexpected<Error>(
+            {"The model holds nothing to measure", texts.file, "Choose another model"});
+    Subject subject{std::filesystem::path(texts.file).filename().string(), std::move(*scene),
+                    Renderer::create({texts.device, false})};
+    if (!subject.renderer && texts.device)
+        return tl::unexpected(subject.renderer.error());
+    return subject;
+}
+
+// What was measured, in every form.
+struct Findings {
+    std::string tables;
+    nlohmann::ordered_json json = nlohmann::ordered_json::object();
+    std::vector<Plot> plots;
+};
+
+Result<Findings> measure(const MeasureTexts& texts, const MeasureRequest& request)
+{
+    const auto subject = subjectOf(texts);
+    if (!subject)
+        return tl::unexpected(subject.error());
+    Findings findings;
+    if (request.paths) {
+        const PathReport report = measurePaths(*subject, request);
+        findings.tables = tableOf(report) + (request.evaluators ? "\n" : "");
+        findings.json = jsonOf(report);
+        findings.plots = plotsOf(report);
+    }
+    if (request.evaluators) {
+        const auto report = measureEvaluators(*subject, static_cast<size_t>(texts.points));
+        if (!report)
+            return tl::unexpected(report.error());
+        findings.tables += tableOf(*report);
+        findings.json.update(jsonOf(*report));
+        findings.plots.push_back(plotOf(*report));
+    }
+    return findings;
+}
+
+Result<void> checkPlot(const MeasureTexts& texts)
+{
+    if (!texts.plot)
+        return {};
+    if (std::filesystem::path(*texts.plot).extension() != ".svg")
+        throw CLI::ValidationError("--plot", "'" + *texts.plot + "' should end in .svg");
+    if (isSameFile(*texts.plot, texts.file))
+        throw CLI::ValidationError("--plot", "'" + *texts.plot + "' is the model; choose another file");
+    return checkPlace(*texts.plot);
+}
+
+int run(const MeasureTexts& texts)
+{
+    const MeasureRequest request = parse(texts);
+    if (const auto place = checkPlot(texts); !place)
+        return failed(place.error());
+    const auto findings = measure(texts, request);
+    if (!findings)
+        return failed(findings.error());
+    if (texts.plot)
         if (const auto written = writeFiles(
-                {{*options.plot, [&](QIODevice& device) { return writeSvg(plotOf(*report), device); }}});
+                {{*texts.plot, [&](QIODevice& device) { return writeSvg(findings->plots, device); }}});
             !written)
             return failed(written.error());
-    std::cout << (options.json ? jsonOf(*report) : tableOf(*report));
+    constexpr auto kReplace = nlohmann::ordered_json::error_handler_t::replace;
+    std::cout << (texts.json ? findings->json.dump(2, ' ', false, kReplace) + "\n" : findings->tables);
     return kDone;
 }
 
@@ -120,21 +182,11 @@ int run(const Options& options)
 
 void addMeasureCommand(CLI::App& app, int& exitCode)
 {
-    const auto options = std::make_shared<Options>();
+    const auto texts = std::make_shared<MeasureTexts>();
     CLI::App* command = app.add_subcommand(
-        "measure", "Measure on this machine what each evaluator costs and how far it is off, on CPU and GPU");
-    command->add_option("FILE", options->file, "Model to measure on")->required();
-    command->add_flag("--json", options->json, "As one JSON object");
-    command->add_option("--plot", options->plot, "Drawing of error against time to write")
-        ->type_name("OUT.svg");
-    command->add_option("--device", options->device, "Which Vulkan device, counted from 0")
-        ->check(wholeWithin(0, 255))
-        ->type_name("N");
-    command->add_option("--points", options->points, "How many random points, over all visible surfaces")
-        ->capture_default_str()
-        ->check(wholeWithin(1, kMostPoints))
-        ->type_name("N");
-    command->callback([options, &exitCode] { exitCode = run(*options); });
+        "measure", "Measure on this machine what each path and each evaluator costs and how far it is off");
+    addMeasureOptions(*command, *texts);
+    command->callback([texts, &exitCode] { exitCode = run(*texts); });
 }
 
 }  // namespace knotspan::app

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <iostream>
 #include <memory>
 
@@ -7,6 +8,8 @@
 #include "app/commands.h"
 #include "app/output.h"
 #include "app/render_options.h"
+#include "renderer/leak_count.h"
+#include "renderer/measurement/closed_model.h"
 #include "renderer/renderer.h"
 
 namespace knotspan::app {
@@ -34,13 +37,16 @@ Frame frameFor(const RenderTexts& texts, const RenderRequest& request, const Sce
     return frame;
 }
 
-Result<Drawn> draw(Renderer& renderer, const Scene& scene, const Frame& frame, const RenderRequest& request,
+Result<Drawn> draw(Renderer& renderer, const Scene& scene, Frame frame, const RenderRequest& request,
                    int count)
 {
     std::vector<FrameStats> stats;
     for (int k = 0; k < count; ++k) {
-        if (auto synced = renderer.sync(deformed(scene, request.deformation, k)); !synced)
+        const DeformedScene moved =
+            deformedFor(pathInfo(frame.path).drawsFromDevice, scene, request.deformation, k);
+        if (auto synced = renderer.sync(moved.scene, moved.joins); !synced)
             return tl::unexpected(synced.error());
+        frame.wave = moved.wave;
         auto drawn = renderer.draw(frame);
         if (!drawn)
             return tl::unexpected(drawn.error());
@@ -49,7 +55,16 @@ Result<Drawn> draw(Renderer& renderer, const Scene& scene, const Frame& frame, c
     auto picture = renderer.capture();
     if (!picture)
         return tl::unexpected(picture.error());
-    return Drawn{std::move(*picture), combined(stats)};
+    Drawn drawn{std::move(*picture), combined(stats)};
+    if (frame.shading == Shading::error && isClosedModel(scene)) {
+        const auto shown = renderer.captureSurfaces();
+        if (!shown)
+            return tl::unexpected(shown.error());
+        const double error = std::max(frame.tolerancePx, drawn.stats.errorPxMax.value_or(0));
+        drawn.stats.leakPixels =
+            countLeaks(deformed(scene, request.deformation, count - 1), frame, *shown, error);
+    }
+    return drawn;
 }
 
 Result<Drawn> render(const RenderTexts& texts, const RenderRequest& request)

@@ -16,6 +16,15 @@ std::vector<std::string> namesOf(const List& list)
     return names;
 }
 
+std::vector<std::string> samplingNames()
+{
+    auto names = namesOf(samplingRules());
+    for (std::string& rule : names)
+        if (rule == "fixed")
+            rule = "fixed:1 to fixed:64";
+    return names;
+}
+
 CullSet conservativeModes()
 {
     CullSet set;
@@ -82,7 +91,8 @@ void addRenderOptions(CLI::App& command, RenderTexts& texts)
     text("--size", texts.size, "Size in pixels (default 1280x800)", "WxH");
     text("--path", texts.path, "How triangles are made: " + list(namesOf(paths())), "P");
     text("--culling", texts.culling, "What is dropped unseen: none, " + list(namesOf(cullModes())), "A,B");
-    text("--sampling", texts.sampling, "How finely: area, fixed:N", "S");
+    text("--sampling", texts.sampling, "How finely: " + list(samplingNames()) + " (default: the path's own)",
+         "S");
     command
         .add_option("--tolerance", texts.tolerance, "How far the picture may be off, in pixels (default 0.5)")
         ->check(within(0.01, 1000))
@@ -129,8 +139,8 @@ RenderRequest parse(const RenderTexts& texts)
         request.path = foundOr(findPath(texts.path), "--path", texts.path, namesOf(paths()));
     request.culling = parseCulling(texts.culling);
     if (!texts.sampling.empty())
-        request.sampling = foundOr(parseSamplingRule(texts.sampling), "--sampling", texts.sampling,
-                                   {"area", "fixed:1 to fixed:64"});
+        request.sampling =
+            foundOr(parseSamplingRule(texts.sampling), "--sampling", texts.sampling, samplingNames());
     if (!texts.evaluator.empty())
         request.evaluator =
             foundOr(findEvaluator(texts.evaluator), "--evaluator", texts.evaluator, namesOf(evaluators()));

@@ -7,7 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/arguments.h"
-#include "app/deformation.h"
+#include "model/scene/deformation.h"
 #include "renderer/frame.h"
 
 namespace knotspan::app {

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "model/geometry/basis_evaluators.h"
 #include "model/scene/control_point_editing.h"
+#include "model/scene/deformation.h"
 #include "model/scene/scene.h"
 #include "renderer/culling/cull_modes.h"
 #include "renderer/paths/path_list.h"
@@ -30,6 +32,9 @@ struct Overlays {
     bool knotLines = false;             // the KSQuads' borders on every surface
     std::vector<ObjectId> highlighted;  // objects drawn as selected
     std::vector<ControlPointMark> marks;
+
+    // Whether anything is drawn from control points.
+    [[nodiscard]] bool showNets() const { return controlNets || !netsOf.empty() || !marks.empty(); }
 };
 
 struct Frame {
@@ -42,6 +47,7 @@ struct Frame {
     double tolerancePx = 0.5;
     Evaluator evaluator = Evaluator::automatic;  // by the largest degree that shows
     Shading shading = Shading::shaded;
+    std::optional<Wave> wave;  // moves control points on the device; paths that do not draw from there stay at rest
     Overlays overlays;
 };
 

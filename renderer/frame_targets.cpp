@@ -91,6 +91,17 @@ Picture FrameTargets::read() const
     return picture;
 }
 
+SurfaceIndices FrameTargets::readSurfaces() const
+{
+    SurfaceIndices surfaces{static_cast<int>(extent_.width), static_cast<int>(extent_.height), {}};
+    surfaces.indices.resize(size_t{1} * extent_.width * extent_.height);
+    const size_t bytes = surfaces.indices.size() * sizeof(surfaces.indices[0]);
+    const Buffer readBack(device_, bytes, Buffer::Place::readBack);
+    copyOut(indices_, {{0, 0}, extent_}, readBack);
+    std::memcpy(surfaces.indices.data(), readBack.mapped(), bytes);
+    return surfaces;
+}
+
 std::uint32_t FrameTargets::surfaceAt(std::uint32_t x, std::uint32_t y) const
 {
     copyOut(indices_, {{static_cast<int>(x), static_cast<int>(y)}, {1, 1}}, onePixel_);

@@ -20,6 +20,7 @@ public:
     void end(VkCommandBuffer commands);
 
     [[nodiscard]] Picture read() const;
+    [[nodiscard]] SurfaceIndices readSurfaces() const;
     // The index + 1 of the surface at a pixel; 0: the background.
     [[nodiscard]] std::uint32_t surfaceAt(std::uint32_t x, std::uint32_t y) const;
 

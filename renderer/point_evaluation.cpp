@@ -71,7 +71,7 @@ VkPipeline PointEvaluation::pipelineFor(Evaluator evaluator, Precision precision
     if (pipeline.get() == VK_NULL_HANDLE)
         pipeline = makeComputePipeline(
             device_, bindings_, precision == Precision::float64 ? "evaluate_double.comp" : "evaluate.comp",
-            static_cast<std::uint32_t>(evaluator));
+            {.evaluator = static_cast<std::uint32_t>(evaluator)});
     return pipeline.get();
 }
 

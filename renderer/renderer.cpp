@@ -94,9 +94,9 @@ PathId Renderer::bestPath() const
     return paths().back().id;
 }
 
-Result<void> Renderer::sync(const Scene& scene)
+Result<void> Renderer::sync(const Scene& scene, Joins joins)
 {
-    return guarded([&] { parts_->sync(scene); }, &parts_->deviceLost);
+    return guarded([&] { parts_->sync(scene, joins); }, &parts_->deviceLost);
 }
 
 Result<FrameStats> Renderer::draw(const Frame& frame)
@@ -109,6 +109,13 @@ Result<Picture> Renderer::capture()
     if (!parts_->lastFrame)
         return failure("There is no picture yet", "Draw a frame first");
     return guarded([&] { return parts_->targets->read(); }, &parts_->deviceLost);
+}
+
+Result<SurfaceIndices> Renderer::captureSurfaces()
+{
+    if (!parts_->lastFrame)
+        return failure("There is no picture yet", "Draw a frame first");
+    return guarded([&] { return parts_->targets->readSurfaces(); }, &parts_->deviceLost);
 }
 
 Result<Pick> Renderer::pick(double x, double y, double radiusPx)
@@ -157,6 +164,11 @@ Vec3 Renderer::surfaceOrigin(ObjectId object) const
 {
     const auto* resident = parts_->scene.find(object);
     return resident != nullptr ? resident->frame.origin : Vec3(0);
+}
+
+std::vector<HeldMemory> Renderer::memory() const
+{
+    return parts_->memory();
 }
 
 std::vector<std::string> Renderer::validationMessages() const

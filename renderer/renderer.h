@@ -14,6 +14,7 @@
 #include "model/geometry/basis_evaluators.h"
 #include "model/scene/scene.h"
 #include "renderer/frame.h"
+#include "renderer/scene/held_memory.h"
 #include "renderer/stats/frame_stats.h"
 #include "renderer/swapchain.h"
 
@@ -24,6 +25,14 @@ struct Picture {
     int width = 0;
     int height = 0;
     std::vector<std::uint8_t> rgba;
+};
+
+// Which surface each pixel shows: 0 the background, k the k-th visible object of the scene, counted from 1.
+// Rows from the top, no padding. Colours have no part in it.
+struct SurfaceIndices {
+    int width = 0;
+    int height = 0;
+    std::vector<std::uint32_t> indices;
 };
 
 // What is under a pixel.
@@ -45,6 +54,7 @@ struct CapturedVertex {
     double v = 0;
     Vec3 position{};  // relative to surfaceOrigin(object), object space
     Vec3 normal{};    // unit, object space
+    Vec4 clip{};      // where it is drawn, as the stage has it: neighbours share these bits along their edges
 };
 
 // Evaluation by itself, in the compute stage. Where in a KSQuad of a visible object:
@@ -98,9 +108,12 @@ public:
     [[nodiscard]] std::string whyUnavailable(Precision precision) const;  // the same for evaluate()
     [[nodiscard]] PathId bestPath() const;  // the first of paths() that is available
 
-    [[nodiscard]] Result<void> sync(const Scene& scene);
+    // `kept`: nothing that lay along something else was torn from it or put to it since the last sync, and
+    // the borders are not searched. A later sync does it, where it does not say so too.
+    [[nodiscard]] Result<void> sync(const Scene& scene, Joins joins = Joins::anew);
     [[nodiscard]] Result<FrameStats> draw(const Frame& frame);
     [[nodiscard]] Result<Picture> capture();
+    [[nodiscard]] Result<SurfaceIndices> captureSurfaces();
     // In the last drawn frame; x, y in pixels from its upper left corner.
     [[nodiscard]] Result<Pick> pick(double x, double y, double radiusPx = 8);
 
@@ -119,6 +132,8 @@ public:
     [[nodiscard]] Result<Evaluations> evaluate(const std::vector<EvaluationPoint>& points,
                                                const EvaluationOptions& options = {});
     [[nodiscard]] Vec3 surfaceOrigin(ObjectId object) const;
+    // What of the scene and of its culling and sampling lies on the device, by kind.
+    [[nodiscard]] std::vector<HeldMemory> memory() const;
     // What the validation layer said so far; empty without the layer and in a clean run.
     [[nodiscard]] std::vector<std::string> validationMessages() const;
 

@@ -12,13 +12,28 @@ namespace knotspan {
 
 namespace {
 
-// The area rule's KSDie at a tolerance: half a pixel of tolerance gives the papers' 8 pixels.
+// The area and edge rules' KSDie at a tolerance: half a pixel of tolerance gives the papers' 8 pixels.
 constexpr double kDiePxPerTolerance = 16.0;
 
 double pixelsPerUnit(const Camera& camera, int height)
 {
     const double half = std::tan(glm::radians(camera.verticalFovDegrees) * 0.5);
     return 0.5 * height / (camera.orthographic ? half * camera.distance() : half);
+}
+
+std::uint32_t ruleNumber(SamplingRule::Kind kind)
+{
+    switch (kind) {
+    case SamplingRule::Kind::area:
+    case SamplingRule::Kind::areaNoFriends:
+        return RULE_AREA;
+    case SamplingRule::Kind::edge:
+        return RULE_EDGE;
+    case SamplingRule::Kind::fixed:
+        return RULE_FIXED;
+    default:
+        return RULE_BOUND;
+    }
 }
 
 // A counter of two words.
@@ -43,30 +58,41 @@ Renderer::Parts::Parts(std::unique_ptr<Instance> madeInstance, const RendererOpt
       clock(device),
       scene(bindings, uploader),
       culling(device, bindings),
+      sampling(device, bindings),
+      wave(device, bindings, uploader),
       controlNet(device, bindings)
 {
     bindings.provide(BINDING_FRAME, frameBuffer_, sizeof(gpu::FrameRecord));
 }
 
-void Renderer::Parts::sync(const Scene& wanted)
+void Renderer::Parts::sync(const Scene& wanted, Joins joins)
 {
+    const auto started = std::chrono::steady_clock::now();
     wanted_ = wanted;
     largestDegree_ = largestDegree(visibleObjects(wanted_));
+    if (!sceneIsHeld_)
+        scene.forget();  // nobody knows how far the last one came
     sceneIsHeld_ = false;
     scene.useEvaluator(chosenEvaluator(wish_, largestDegree_, Precision::float32));
-    scene.sync(wanted_);
+    scene.sync(wanted_, joins);
     sceneIsHeld_ = true;
+    syncMs_ += millisecondsSince(started);
 }
 
-SurfacePath& Renderer::Parts::pathFor(PathId id, Evaluator evaluator)
+Specialization Renderer::Parts::specializationFor(Evaluator evaluator) const
+{
+    return {static_cast<std::uint32_t>(evaluator), false, shaderOrderFor(largestDegree_)};
+}
+
+SurfacePath& Renderer::Parts::pathFor(PathId id, const PathVariant& variant)
 {
     const PathFactory& factory = pathFactory(id);
     if (const std::string reason = factory.whyUnavailable(device); !reason.empty())
         throw VulkanError(
             {"The path " + factory.info.name + " cannot run here. " + reason, {}, "Choose another path"});
-    auto& path = paths[{id, evaluator}];
+    auto& path = paths[{id, variant}];
     if (!path)
-        path = factory.create(device, bindings, evaluator);
+        path = factory.create(device, bindings, variant);
     return *path;
 }
 
@@ -103,61 +129,81 @@ void Renderer::Parts::uploadRecord(const gpu::FrameRecord& record)
     uploader.write(frameBuffer_, 0, std::span(&record, 1));
 }
 
-void Renderer::Parts::updateFrameRecord(const Frame& frame, const SurfacePath& path, SamplingRule sampling,
+void Renderer::Parts::updateFrameRecord(const Frame& frame, SurfacePath& path, SamplingRule rule,
                                         bool capture)
 {
     gpu::FrameRecord record{};
+    Box bounds = scene.bounds();
+    if (frame.wave && !bounds.isEmpty()) {
+        const Vec3 reach(2 * frame.wave->amplitude);
+        bounds.add(bounds.low - reach);
+        bounds.add(bounds.high + reach);
+    }
     record.projection =
-        gpu::mat4(frame.camera.projection(static_cast<double>(frame.width) / frame.height, scene.bounds()));
+        gpu::mat4(frame.camera.projection(static_cast<double>(frame.width) / frame.height, bounds));
     record.pixelsPerUnit = static_cast<float>(pixelsPerUnit(frame.camera, frame.height));
+    record.pixels = {static_cast<float>(frame.width), static_cast<float>(frame.height)};
+    record.tolerancePx = static_cast<float>(frame.tolerancePx);
+    record.samplingRule = ruleNumber(rule.kind);
     record.diePx = static_cast<float>(kDiePxPerTolerance * frame.tolerancePx);
-    record.fixedDice =
-        sampling.kind == SamplingRule::Kind::fixed ? static_cast<std::uint32_t>(sampling.count) : 0;
-    record.maxDice = device.abilities().maxTessellationLevel;
+    record.fixedDice = static_cast<std::uint32_t>(rule.count);
+    if (const auto limits = path.tiles()) {
+        record.snap = limits->snap;
+        record.tileSide = limits->side;
+        record.tileVertices = limits->vertices;
+        record.tileTriangles = limits->triangles;
+        record.tileCapacity = sampling.tileCapacity();
+        record.tilesPerDraw = std::max(1U, std::min(limits->tilesPerDraw, sampling.tileCapacity()));
+        record.taskTiles = limits->taskTiles;
+    }
     record.cullBits = frame.culling.bits;
     record.ksquadCount = scene.ksquadCount();
+    record.surfaceCount = static_cast<std::uint32_t>(scene.residents().size());
+    record.pointCount = scene.controlPointCount();
     record.shading = static_cast<std::uint32_t>(frame.shading);
     record.flags = (frame.overlays.knotLines ? FRAME_KNOT_LINES : 0U) | (capture ? FRAME_CAPTURE : 0U) |
-                   (frame.camera.orthographic ? FRAME_ORTHOGRAPHIC : 0U);
-    record.patchesPerDraw = std::min(path.ksquadsPerDraw(sampling), std::max(record.ksquadCount, 1U));
+                   (frame.camera.orthographic ? FRAME_ORTHOGRAPHIC : 0U) |
+                   (frame.shading == Shading::error ? FRAME_MEASURE_ERROR : 0U);
     record.captureCapacity = counters.captureCapacity();
+    path.prepare({scene, frame.camera, rule, frame.tolerancePx, static_cast<double>(frame.width),
+                  static_cast<double>(frame.height), uploader},
+                 record);
     uploadRecord(record);
 }
 
-FrameStats Renderer::Parts::draw(const Frame& frame, bool capture)
+FrameStats Renderer::Parts::draw(const Frame& wantedFrame, bool capture)
 {
-    const auto started = std::chrono::steady_clock::now();
-    checkFrame(frame);
+    checkFrame(wantedFrame);
+    Frame frame = wantedFrame;
+    if (!pathInfo(frame.path).drawsFromDevice)
+        frame.wave.reset();
     wish_ = frame.evaluator;
     const Evaluator evaluator = chosenEvaluator(wish_, largestDegree_, Precision::float32);
-    SurfacePath& path = pathFor(frame.path, evaluator);
-    const SamplingRule sampling =
-        frame.sampling.kind == SamplingRule::Kind::pathDefault ? path.defaultSampling() : frame.sampling;
-    if (!path.supports(sampling))
-        throw VulkanError(
-            {"The path " + pathInfo(frame.path).name + " cannot sample by the rule " + name(sampling),
-             {},
-             "Leave the rule out, or use " + name(path.defaultSampling())});
+    PathVariant variant{specializationFor(evaluator), frame.shading == Shading::error};
+    variant.specialization.captures = capture;
+    SurfacePath& path = pathFor(frame.path, variant);
+    const PathInfo& info = pathInfo(frame.path);
+    const SamplingRule rule =
+        frame.sampling.kind == SamplingRule::Kind::pathDefault ? info.rules.front() : frame.sampling;
+    if (!info.follows(rule))
+        throw VulkanError({"The path " + info.name + " cannot sample by the rule " + name(rule),
+                           {},
+                           "Leave the rule out, or use " + name(info.rules.front())});
     VkDeviceSize uploaded = 0;
-    double cpuMs = 0;
+    cpuMs_ = 0;
+    const auto started = std::chrono::steady_clock::now();
     try {
         if (!sceneIsHeld_)
             sync(Scene(wanted_));
         scene.useEvaluator(evaluator);
+        scene.usePacking(path.packing(), frame.overlays.showNets());
         fitTargets(frame);
         scene.updateViews(frame.camera, frame.overlays.highlighted);
-        updateFrameRecord(frame, path, sampling, capture);
-        if (path.takesVisibleList())
-            culling.prepare(scene.ksquadCount(), frameRecord_->patchesPerDraw, evaluator);
-        device.execute([&](VkCommandBuffer commands) {
-            uploaded = uploader.record(commands);
-            record(commands, frame, path);
-            cpuMs = millisecondsSince(started);
-        });
-        uploader.sent();
+        uploaded = drawWhole(frame, path, rule, capture, started);
     } catch (...) {
         // Nobody knows what arrived: the next frame sends everything again.
         uploader.forgetAll();
+        path.forget();
         scene.forget();
         sceneIsHeld_ = false;
         frameRecord_.reset();
@@ -168,9 +214,43 @@ FrameStats Renderer::Parts::draw(const Frame& frame, bool capture)
     lastObjects.clear();
     for (const Resident& resident : scene.residents())
         lastObjects.push_back(resident.id);
-    FrameStats stats = statsOf(frame, sampling, uploaded);
-    stats.cpuMs = {cpuMs, cpuMs, cpuMs};
-    return stats;
+    return statsOf(frame, path, rule, uploaded);
+}
+
+VkDeviceSize Renderer::Parts::drawWhole(const Frame& frame, SurfacePath& path, SamplingRule rule,
+                                        bool capture, std::chrono::steady_clock::time_point started)
+{
+    VkDeviceSize uploaded = 0;
+    if (scene.isRebuilt())
+        wave.forget();
+    wave.prepare(scene, frame.wave);
+    for (;;) {
+        if (const auto limits = path.tiles()) {
+            const Specialization specialization = specializationFor(scene.evaluator());
+            culling.prepare(scene.ksquadCount(), specialization);
+            // It evaluates nothing.
+            sampling.prepare(scene.ksquadCount(), limits->taskTiles != 0 ? 0 : limits->tilesPerDraw,
+                             {.order = specialization.order});
+        }
+        updateFrameRecord(frame, path, rule, capture);
+        device.execute([&](VkCommandBuffer commands) {
+            wave.recordRest(commands);
+            uploaded += uploader.record(commands);
+            wave.recordWave(commands);
+            record(commands, frame, path);
+            cpuMs_ = millisecondsSince(started) + std::exchange(syncMs_, 0);
+        });
+        uploader.sent();
+        counted_ = counters.read();
+        path.count(counted_);
+        bool room = path.hadRoom(counted_);
+        if (path.tiles() && counted_.tiles > sampling.tileCapacity()) {
+            sampling.makeRoomFor(counted_.tiles);
+            room = false;
+        }
+        if (room)
+            return uploaded;
+    }
 }
 
 void Renderer::Parts::record(VkCommandBuffer commands, const Frame& frame, const SurfacePath& path)
@@ -178,37 +258,50 @@ void Renderer::Parts::record(VkCommandBuffer commands, const Frame& frame, const
     const bool anything = scene.ksquadCount() > 0;
     counters.clear(commands);
     clock.start(commands);
-    if (anything && path.takesVisibleList())
+    if (anything && path.tiles()) {
         culling.record(commands);
+        sampling.record(commands);
+    }
+    if (anything)
+        path.compute(commands);
     targets->begin(commands);
     bindings.bind(commands, VK_PIPELINE_BIND_POINT_GRAPHICS);
     if (anything)
-        path.draw(commands, scene.ksquadCount(), {culling.draws(), culling.drawCount()});
+        path.draw(commands, scene.ksquadCount(), {sampling.draws(), sampling.drawCount()});
     drawOverlays(commands, frame.overlays);
     targets->end(commands);
     clock.stop(commands);
     counters.fetch(commands);
 }
 
-FrameStats Renderer::Parts::statsOf(const Frame& frame, SamplingRule sampling, VkDeviceSize uploaded)
+FrameStats Renderer::Parts::statsOf(const Frame& frame, const SurfacePath& path, SamplingRule rule,
+                                    VkDeviceSize uploaded)
 {
     FrameStats stats;
     stats.device = device.name();
     stats.path = pathInfo(frame.path).name;
     stats.culling = names(frame.culling);
-    stats.sampling = name(sampling);
+    stats.sampling = name(rule);
     stats.evaluator = evaluatorInfo(scene.evaluator()).name;
     stats.tolerancePx = frame.tolerancePx;
     stats.width = frame.width;
     stats.height = frame.height;
     stats.surfaces = scene.residents().size();
     stats.ksquads = scene.ksquadCount();
-    const gpu::Counters counted = counters.read();
-    stats.ksquadsDrawn = counted.drawn;
-    std::copy(std::begin(counted.culled), std::end(counted.culled), stats.ksquadsCulled.begin());
-    stats.ksdice = wide(counted.ksdice);
-    stats.triangles = wide(counted.triangles);
-    stats.evaluations = wide(counted.evaluations);
+    stats.ksquadsDrawn = counted_.drawn;
+    std::copy(std::begin(counted_.culled), std::end(counted_.culled), stats.ksquadsCulled.begin());
+    stats.ksdice = wide(counted_.ksdice);
+    stats.triangles = wide(counted_.triangles);
+    stats.evaluations = wide(counted_.evaluations);
+    if (counted_.meshGroups > 0) {
+        stats.meshGroups = counted_.meshGroups;
+        stats.busyLanes =
+            static_cast<double>(stats.evaluations) / static_cast<double>(wide(counted_.laneSlots));
+    }
+    if (const std::string limit = path.limit(); !limit.empty())
+        stats.pathLimit = limit;
+    noteErrors(stats, counted_, frame.shading == Shading::error);
+    stats.cpuMs = {cpuMs_, cpuMs_, cpuMs_};
     const double gpuMs = clock.milliseconds();
     stats.gpuMs = {gpuMs, gpuMs, gpuMs};
     if (scene.takeRebuilt())

@@ -9,7 +9,9 @@
 #include "renderer/overlays/control_net.h"
 #include "renderer/paths/surface_path.h"
 #include "renderer/point_evaluation.h"
+#include "renderer/sampling/sampling_pass.h"
 #include "renderer/scene/gpu_scene.h"
+#include "renderer/scene/wave_pass.h"
 #include "renderer/stats/gpu_clock.h"
 #include "renderer/stats/gpu_counters.h"
 #include "renderer/vulkan/window_images.h"
@@ -19,8 +21,9 @@ namespace knotspan {
 struct Renderer::Parts {
     Parts(std::unique_ptr<Instance> madeInstance, const RendererOptions& options);
 
-    void sync(const Scene& wanted);
-    FrameStats draw(const Frame& frame, bool capture);
+    void sync(const Scene& wanted, Joins joins = Joins::anew);
+    FrameStats draw(const Frame& wantedFrame, bool capture);
+    [[nodiscard]] std::vector<HeldMemory> memory() const;
     Pick pick(double x, double y, double radiusPx);
     std::vector<CapturedVertex> captureVertices(const Frame& frame);
     Evaluations evaluate(const std::vector<EvaluationPoint>& points, const EvaluationOptions& options);
@@ -34,8 +37,11 @@ struct Renderer::Parts {
     GpuClock clock;
     GpuScene scene;
     CullPass culling;
+    SamplingPass sampling;
+    WavePass wave;
     ControlNet controlNet;
-    std::map<std::pair<PathId, Evaluator>, std::unique_ptr<SurfacePath>> paths;  // made when first drawn with
+    std::map<std::pair<PathId, PathVariant>, std::unique_ptr<SurfacePath>>
+        paths;  // made when first drawn with
     std::unique_ptr<FrameTargets> targets;
     // The last frame that was drawn whole, and the objects that its indices stand for.
     std::optional<Frame> lastFrame;
@@ -43,12 +49,16 @@ struct Renderer::Parts {
     bool deviceLost = false;
 
 private:
-    SurfacePath& pathFor(PathId id, Evaluator evaluator);
+    [[nodiscard]] Specialization specializationFor(Evaluator evaluator) const;
+    SurfacePath& pathFor(PathId id, const PathVariant& variant);
     void checkFrame(const Frame& frame) const;
     void fitTargets(const Frame& frame);
-    void updateFrameRecord(const Frame& frame, const SurfacePath& path, SamplingRule sampling, bool capture);
+    void updateFrameRecord(const Frame& frame, SurfacePath& path, SamplingRule rule, bool capture);
     void uploadRecord(const gpu::FrameRecord& record);
-    FrameStats statsOf(const Frame& frame, SamplingRule sampling, VkDeviceSize uploaded);
+    FrameStats statsOf(const Frame& frame, const SurfacePath& path, SamplingRule rule, VkDeviceSize uploaded);
+    // Draws until the list of tiles had room. Returns the bytes that travelled.
+    VkDeviceSize drawWhole(const Frame& frame, SurfacePath& path, SamplingRule rule, bool capture,
+                           std::chrono::steady_clock::time_point started);
     void record(VkCommandBuffer commands, const Frame& frame, const SurfacePath& path);
     void drawOverlays(VkCommandBuffer commands, const Overlays& overlays) const;
     [[nodiscard]] std::vector<CapturedVertex> named(const std::vector<gpu::CapturedRecord>& records) const;
@@ -63,6 +73,10 @@ private:
     Evaluator wish_ = Evaluator::automatic;             // of the last frame
     bool sceneIsHeld_ = true;                           // the device has it
     std::uint64_t firstUpload_ = 0;
+    // Of the last frame.
+    gpu::Counters counted_{};
+    double cpuMs_ = 0;   // preparing and recording, with the syncs since the frame before
+    double syncMs_ = 0;  // of syncs since the last frame
 };
 
 struct Swapchain::Parts {

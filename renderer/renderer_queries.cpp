@@ -1,6 +1,8 @@
 // What a Renderer answers beside pictures: what is under a pixel, and what its stages computed.
 #include <algorithm>
 
+#include <glm/matrix.hpp>
+
 #include "renderer/renderer_parts.h"
 
 namespace knotspan {
@@ -84,14 +86,31 @@ Evaluations Renderer::Parts::evaluate(const std::vector<EvaluationPoint>& points
     return pointEvaluation_->evaluate<float>(scene.residents(), points, evaluator, options.repeats);
 }
 
+std::vector<HeldMemory> Renderer::Parts::memory() const
+{
+    std::vector<HeldMemory> held;
+    scene.listMemory(held);
+    culling.listMemory(held);
+    sampling.listMemory(held);
+    return held;
+}
+
 std::vector<CapturedVertex> Renderer::Parts::named(const std::vector<gpu::CapturedRecord>& records) const
 {
     std::vector<CapturedVertex> vertices;
     vertices.reserve(records.size());
     for (const gpu::CapturedRecord& record : records) {
         const KsQuadName name = ksquadName(scene.residents(), record.ksquad);
+        const ObjectId source = ksquadName(scene.residents(), record.source).object;
+        Vec3 position(record.position);
+        if (source != name.object) {
+            const Resident& from = *scene.find(source);
+            const Resident& to = *scene.find(name.object);
+            const Vec3 place = transformed(from.frame.origin + position, from.object->transform);
+            position = transformed(place, glm::inverse(to.object->transform)) - to.frame.origin;
+        }
         vertices.push_back({name.object, name.ksquad.spanU, name.ksquad.spanV, record.t.x, record.t.y,
-                            Vec3(record.position), Vec3(record.normal)});
+                            position, Vec3(record.normal), Vec4(record.clip)});
     }
     return vertices;
 }

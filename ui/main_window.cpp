@@ -18,6 +18,7 @@
 #include "ui/message_bar.h"
 #include "ui/panels/stats_panel.h"
 #include "ui/recent_files.h"
+#include "ui/speed_dialog.h"
 
 namespace knotspan {
 namespace fs = std::filesystem;
@@ -85,6 +86,7 @@ MainWindow::~MainWindow()
     document_.disconnect();
     document_.undoStack().disconnect();
     selection_.disconnect();
+    delete speed_;
     qDeleteAll(panels_);
     delete takeCentralWidget();
 }
@@ -283,6 +285,28 @@ void MainWindow::setKnotLines(bool on)
     Frame frame = viewport_->frame();
     frame.overlays.knotLines = on;
     viewport_->setFrame(frame);
+}
+
+void MainWindow::changeUniformCells(int by)
+{
+    constexpr int kFirst = 8;  // where the rule was another
+    constexpr int kMost = 64;
+    Frame frame = viewport_->frame();
+    SamplingRule& rule = frame.sampling;
+    const bool fixed = rule.kind == SamplingRule::Kind::fixed;
+    rule = {SamplingRule::Kind::fixed, std::clamp(fixed ? rule.count + by : kFirst, 1, kMost)};
+    viewport_->setFrame(frame);
+}
+
+void MainWindow::showSpeed()
+{
+    if (speed_ == nullptr)
+        speed_ = new SpeedDialog(document_, *viewport_, this);
+    speed_->show();
+    speed_->raise();
+    speed_->activateWindow();
+    if (!speed_->hasFindings() && !speed_->isMeasuring())
+        speed_->measure();
 }
 
 void MainWindow::showKeys()

@@ -23,6 +23,7 @@ namespace knotspan {
 
 class KeysDialog;
 class MessageBar;
+class SpeedDialog;
 class StatsPanel;
 
 class MainWindow : public QMainWindow {
@@ -58,6 +59,8 @@ public:
     void setOrthographic(bool on);
     void setControlNets(bool on);
     void setKnotLines(bool on);
+    void changeUniformCells(int by);  // of the path cpu
+    void showSpeed();
     void showKeys();
     void showAbout();
 
@@ -98,6 +101,7 @@ private:
     QLabel* frameLine_ = nullptr;
     QToolBar* toolBar_ = nullptr;
     QPointer<KeysDialog> keys_;
+    SpeedDialog* speed_ = nullptr;  // made when it is first shown
     std::vector<QDockWidget*> panels_;
 };
 

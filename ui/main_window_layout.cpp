@@ -213,6 +213,8 @@ void MainWindow::showActionStates()
     action("edit.delete")->setEnabled(!selection_.objects().empty());
     action("view.fitSelection")->setEnabled(!selection_.objects().empty());
     const Frame& frame = viewport_->frame();
+    action("view.moreCells")->setEnabled(frame.path == PathId::cpu);
+    action("view.fewerCells")->setEnabled(frame.path == PathId::cpu);
     action("view.orthographic")->setChecked(frame.camera.orthographic);
     action("view.nets")->setChecked(frame.overlays.controlNets);
     action("view.knots")->setChecked(frame.overlays.knotLines);

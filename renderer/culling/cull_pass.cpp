@@ -23,18 +23,16 @@ CullPass::CullPass(const Device& device, Bindings& bindings)
 {
 }
 
-void CullPass::prepare(std::uint32_t ksquads, std::uint32_t patchesPerDraw, Evaluator evaluator)
+void CullPass::prepare(std::uint32_t ksquads, const Specialization& specialization)
 {
-    evaluator_ = evaluator;
-    if (cull_.count(evaluator) == 0)
-        cull_[evaluator] =
-            makeComputePipeline(device_, bindings_, "cull.comp", static_cast<std::uint32_t>(evaluator));
+    specialization_ = specialization;
+    if (cull_.count(specialization) == 0)
+        cull_[specialization] =
+            makeComputePipeline(device_, bindings_, "cull.comp", specialization);
     ksquads_ = ksquads;
-    drawCount_ = (ksquads + patchesPerDraw - 1) / patchesPerDraw;
     const VkDeviceSize groups = (ksquads + CULL_KSQUADS - 1) / CULL_KSQUADS;
     bindings_.provide(BINDING_VISIBLE, visible_, VkDeviceSize{ksquads} * sizeof(std::uint32_t));
     bindings_.provide(BINDING_CULL_GROUPS, groups_, groups * 3 * sizeof(std::uint32_t));
-    bindings_.provide(BINDING_DRAWS, draws_, VkDeviceSize{drawCount_} * sizeof(gpu::DrawRecord));
 }
 
 void CullPass::record(VkCommandBuffer commands) const
@@ -48,7 +46,7 @@ void CullPass::record(VkCommandBuffer commands) const
                   VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT);
     bindings_.bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE);
     const GroupCount groups = groupsFor(ksquads_, CULL_KSQUADS);
-    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, cull_.at(evaluator_).get());
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, cull_.at(specialization_).get());
     vkCmdDispatch(commands, groups.x, groups.y, 1);
     computeBarrier(commands);
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, scan_.get());
@@ -57,9 +55,14 @@ void CullPass::record(VkCommandBuffer commands) const
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, compact_.get());
     vkCmdDispatch(commands, groups.x, groups.y, 1);
     memoryBarrier(commands, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
-                  VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT | VK_PIPELINE_STAGE_2_PRE_RASTERIZATION_SHADERS_BIT,
-                  VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_READ_BIT |
-                      VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT);
+                  VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+                  VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT);
+}
+
+void CullPass::listMemory(std::vector<HeldMemory>& to) const
+{
+    to.push_back({"visible list", visible_.bytes()});
+    to.push_back({"culling groups", groups_.bytes()});
 }
 
 }  // namespace knotspan

@@ -10,19 +10,18 @@ constexpr SamplingRule kNineByNine{SamplingRule::Kind::fixed, 8};
 
 class Mesh9x9Path : public SurfacePath {
 public:
-    Mesh9x9Path(const Device& device, const Bindings& bindings, Evaluator evaluator)
+    Mesh9x9Path(const Device& device, const Bindings& bindings, const PathVariant& variant)
         : drawMeshTasks_(device.drawMeshTasks()),
-          pipeline_(makeGraphicsPipeline(device, bindings,
-                                         {.stages = {"mesh_9x9.task", "mesh_9x9.mesh", "surface.frag"},
-                                          .evaluator = static_cast<std::uint32_t>(evaluator)}))
+          pipeline_(
+              makeGraphicsPipeline(device, bindings,
+                                   {.stages = {"mesh_9x9.task", "mesh_9x9.mesh", variant.fragmentStage()},
+                                    .specialization = variant.specialization}))
     {
     }
 
-    [[nodiscard]] bool takesVisibleList() const override { return false; }
-    [[nodiscard]] SamplingRule defaultSampling() const override { return kNineByNine; }
-    [[nodiscard]] bool supports(SamplingRule rule) const override { return rule == kNineByNine; }
+    [[nodiscard]] std::optional<TileLimits> tiles() const override { return std::nullopt; }
 
-    void draw(VkCommandBuffer commands, std::uint32_t ksquads, const VisibleDraws&) const override
+    void draw(VkCommandBuffer commands, std::uint32_t ksquads, const TileDraws&) const override
     {
         const GroupCount groups = groupsFor(ksquads, TASK_KSQUADS);
         vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_.get());
@@ -38,11 +37,15 @@ private:
 
 PathFactory mesh9x9Path()
 {
-    return {{PathId::mesh9x9, "mesh-9x9", "Task and mesh stages, every KSQuad as 9 by 9 vertices", false},
+    return {{PathId::mesh9x9,
+             "mesh-9x9",
+             "Task and mesh stages, every KSQuad as 9 by 9 vertices",
+             false,
+             {kNineByNine}},
             [](const Device& device) { return device.abilities().noMeshStages; },
-            [](const Device& device, const Bindings& bindings,
-               Evaluator evaluator) -> std::unique_ptr<SurfacePath> {
-                return std::make_unique<Mesh9x9Path>(device, bindings, evaluator);
+            [](const Device& device, Bindings& bindings,
+               const PathVariant& variant) -> std::unique_ptr<SurfacePath> {
+                return std::make_unique<Mesh9x9Path>(device, bindings, variant);
             }};
 }
 

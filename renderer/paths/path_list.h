@@ -6,15 +6,34 @@
 #include <string_view>
 #include <vector>
 
+#include "renderer/scene/render_lists.h"
+
 namespace knotspan {
 
-enum class PathId : int { mesh9x9, tessellation };
+enum class PathId : int {
+    mesh,
+    mesh9x9,
+    tessellation,
+    tessellationAdaptive,
+    geometry,
+    compute,
+    cpu,
+    surface,
+    bezier
+};
 
 struct PathInfo {
     PathId id;
-    std::string name;         // "mesh-9x9"
-    std::string description;  // a sentence for a tooltip
-    bool followsTolerance;    // false: it draws as many triangles whatever the tolerance
+    std::string name;                 // "mesh-9x9"
+    std::string description;          // a sentence for a tooltip
+    bool followsTolerance;            // false: it draws as many triangles whatever the tolerance
+    std::vector<SamplingRule> rules;  // that it can follow, its own first; a count of 0: any
+    bool drawsFromDevice =
+        true;  // from the control points there: what moves them there is enough (Frame::wave)
+
+    [[nodiscard]] bool follows(SamplingRule rule) const;
+    // By its own rule no pixel is further off than asked, and nothing cracks.
+    [[nodiscard]] bool keepsTolerance() const { return rules.front().kind == SamplingRule::Kind::bound; }
 };
 
 // In the order that pickers show.

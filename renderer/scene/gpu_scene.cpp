@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include <glm/matrix.hpp>
+#include <tbb/parallel_for.h>
 
 #include "model/core/check.h"
 
@@ -49,11 +50,25 @@ gpu::SurfaceView viewOf(const Resident& resident, const Camera& camera, const Ma
     return view;
 }
 
+PlacedSurface placedSurface(const SceneObject& object)
+{
+    return {&object.surface, object.transform};
+}
+
+std::vector<PlacedSurface> placedSurfaces(const std::vector<Resident>& residents)
+{
+    std::vector<PlacedSurface> placed;
+    placed.reserve(residents.size());
+    for (const Resident& resident : residents)
+        placed.push_back(placedSurface(*resident.object));
+    return placed;
+}
+
 }  // namespace
 
 GpuScene::GpuScene(Bindings& bindings, Uploader& uploader) : bindings_(bindings), uploader_(uploader) {}
 
-void GpuScene::sync(const Scene& scene)
+void GpuScene::sync(const Scene& scene, Joins joins)
 {
     const VisibleObjects visible = visibleObjects(scene);
     const bool sameObjects = std::equal(visible.begin(), visible.end(), residents_.begin(), residents_.end(),
@@ -62,28 +77,86 @@ void GpuScene::sync(const Scene& scene)
                                                    (wanted.second == held.object ||
                                                     sameShape(wanted.second->surface, held.object->surface));
                                         });
-    if (!sameObjects) {
+    if (!sameObjects)
         rebuild(visible);
-    } else {
-        for (size_t k = 0; k < visible.size(); ++k)
-            if (visible[k].second != residents_[k].object)
-                replace(residents_[k], visible[k].second);
-    }
+    else
+        replace(visible, joins);
     bounds_ = scene.bounds();
 }
 
 void GpuScene::rebuild(const VisibleObjects& visible)
 {
-    auto packed = packScene<float>(makeResidents(visible), evaluator_);
+    auto residents = makeResidents(visible);
     // Where the device refuses, nothing is left that looks as if it were there.
     forget();
-    provide(surfaceViews_, BINDING_SURFACE_VIEWS, packed.surfaces.size() * sizeof(gpu::SurfaceView));
-    send(surfaces_, BINDING_SURFACES, packed.surfaces);
-    sendTables(packed.tables);
-    send(controlPoints_, BINDING_CONTROL_POINTS, packed.points);
-    residents_ = std::move(packed.residents);
-    ksquadCount_ = static_cast<std::uint32_t>(packed.tables.ksquads.size());
+    provide(surfaceViews_, BINDING_SURFACE_VIEWS, residents.size() * sizeof(gpu::SurfaceView));
+    edges_ = SharedEdges(placedSurfaces(residents));
+    unsearched_.clear();
+    const BorderTables& borders = edges_.tables();
+    send(borderSides_, BINDING_BORDER_SIDES, borders.sides);
+    send(borderCorners_, BINDING_BORDER_CORNERS, borders.corners);
+    send(borderPieces_, BINDING_BORDER_PIECES, borders.pieces);
+    send(borderUses_, BINDING_BORDER_USES, borders.uses);
+    sendModel(std::move(residents));
+}
+
+void GpuScene::usePacking(Packing packing, bool withNets)
+{
+    // KSQuads are indices into the nets.
+    withNets = withNets || packing == Packing::ksquads;
+    if (packing == packing_ && withNets == withNets_)
+        return;
+    packing_ = packing;
+    withNets_ = withNets;
+    sendModel(std::exchange(residents_, {}));
+}
+
+// What depends on the packing; they become the residents where the device took them.
+void GpuScene::sendModel(std::vector<Resident> residents)
+{
+    ksquadCount_ = 0;
+    pointCount_ = 0;
+    beziers_ = BezierNets(packing_ == Packing::bezier ? residents : std::vector<Resident>());
+    records_.clear();
+    for (const Resident& resident : residents)
+        records_.push_back(recordOf(resident));
+    send(surfaces_, BINDING_SURFACES, records_);
+    const auto tables = tablesOf(residents);
+    sendTables(tables);
+    sendPoints(residents);
+    residents_ = std::move(residents);
+    ksquadCount_ = static_cast<std::uint32_t>(tables.ksquads.size());
     rebuilt_ = true;
+}
+
+void GpuScene::sendPoints(const std::vector<Resident>& residents)
+{
+    std::vector<glm::vec4> points(beziers_.pointCount());
+    beziers_.make(residents, 0, beziers_.residentCount(), points);
+    for (const Resident& resident : residents)
+        if (withNets_) {
+            const auto net = packPoints<float>(resident.frame, resident.object->surface.controlPoints());
+            points.insert(points.end(), net.begin(), net.end());
+        }
+    send(controlPoints_, BINDING_CONTROL_POINTS, points);
+    pointCount_ = static_cast<std::uint32_t>(points.size());
+}
+
+PackedTables<float> GpuScene::tablesOf(const std::vector<Resident>& residents) const
+{
+    return packing_ == Packing::bezier ? beziers_.tables(residents, evaluator_)
+                                       : packTables<float>(residents, evaluator_);
+}
+
+// Own nets lie behind those of the Bezier patches.
+gpu::SurfaceRecord GpuScene::recordOf(const Resident& resident) const
+{
+    gpu::SurfaceRecord record = surfaceRecordOf(resident);
+    if (packing_ == Packing::bezier) {
+        record.stride = record.degreeV + 1;
+        record.firstPoint += static_cast<std::uint32_t>(beziers_.pointCount());
+    }
+    return record;
 }
 
 void GpuScene::useEvaluator(Evaluator evaluator)
@@ -91,7 +164,7 @@ void GpuScene::useEvaluator(Evaluator evaluator)
     if (evaluator == evaluator_)
         return;
     evaluator_ = evaluator;
-    const auto tables = packTables<float>(residents_, evaluator);
+    const auto tables = tablesOf(residents_);
     // Where the device refuses, nothing is left that looks as if it were there.
     auto residents = std::exchange(residents_, {});
     ksquadCount_ = 0;
@@ -106,38 +179,116 @@ void GpuScene::sendTables(const PackedTables<float>& tables)
     send(spanTables_, BINDING_SPAN_TABLES, tables.spanTables);
 }
 
-void GpuScene::replace(Resident& resident, SharedObject object)
+void GpuScene::replace(const VisibleObjects& visible, Joins joins)
 {
-    const auto& before = resident.object->surface.controlPoints();
-    const auto& after = object->surface.controlPoints();
-    const auto held = makeSurfaceRecord(*resident.object, resident.frame, resident.firstPoint);
-    if (before != after && !fits(resident.frame, object->surface)) {
-        resident.frame = PointFrame::of(object->surface);
-        const auto packed = packPoints<float>(resident.frame, after);
-        uploader_.write(controlPoints_, resident.firstPoint, all(packed));
-    } else {
-        // Runs of changed points: a row that was pulled along v costs its points, not all between them.
-        for (size_t first = 0; first < after.size();) {
-            size_t end = first;
-            while (end < after.size() && !(before[end] == after[end]))
-                ++end;
-            const auto packed =
-                packPoints<float>(resident.frame, std::span(after).subspan(first, end - first));
-            uploader_.write(controlPoints_, resident.firstPoint + first, all(packed));
-            first = end + 1;
-        }
+    std::vector<Change> changes;
+    for (size_t k = 0; k < visible.size(); ++k)
+        if (visible[k].second != residents_[k].object)
+            changes.push_back({k, std::exchange(residents_[k].object, visible[k].second)});
+    tbb::parallel_for(size_t{0}, changes.size(), [&](size_t k) { lookAt(changes[k]); });
+    if (withNets_)
+        for (const Change& change : changes)
+            sendChangedPoints(change);
+    if (packing_ == Packing::bezier)
+        sendRuns(
+            changes, [](const Change& change) { return change.moved; },
+            [&](size_t first, size_t end) {
+                const size_t start = beziers_.firstPoint(first);
+                const size_t count = beziers_.firstPoint(end) - start;
+                beziers_.make(residents_, first, end,
+                              uploader_.room<glm::vec4>(controlPoints_, start, count));
+            });
+    sendRuns(
+        changes, [](const Change& change) { return change.recordDiffers; },
+        [&](size_t first, size_t end) {
+            uploader_.write(surfaces_, first, all(records_).subspan(first, end - first));
+        });
+    for (const Change& change : changes)
+        unsearched_.insert(change.index);
+    if (joins == Joins::anew)
+        updateBorders();
+}
+
+// Threads may look at different ones at once.
+void GpuScene::lookAt(Change& change)
+{
+    Resident& resident = residents_[change.index];
+    const NurbsSurface& surface = resident.object->surface;
+    change.moved = change.before->surface.controlPoints() != surface.controlPoints();
+    if (change.moved && !fits(resident.frame, surface)) {
+        resident.frame = PointFrame::of(surface);
+        change.framed = true;
     }
-    const auto wanted = makeSurfaceRecord(*object, resident.frame, resident.firstPoint);
-    if (std::memcmp(&held, &wanted, sizeof(held)) != 0)
-        uploader_.write(surfaces_, indexOf(resident), std::span(&wanted, 1));
-    resident.object = std::move(object);
+    const gpu::SurfaceRecord wanted = recordOf(resident);
+    change.recordDiffers = std::memcmp(&records_[change.index], &wanted, sizeof(wanted)) != 0;
+    records_[change.index] = wanted;
+}
+
+void GpuScene::sendChangedPoints(const Change& change)
+{
+    const Resident& resident = residents_[change.index];
+    const auto& before = change.before->surface.controlPoints();
+    const auto& after = resident.object->surface.controlPoints();
+    const size_t start = beziers_.pointCount() + resident.firstPoint;
+    // Runs of changed points: a row that was pulled along v costs its points, not all between them.
+    for (size_t first = 0; change.moved && first < after.size();) {
+        size_t end = first;
+        while (end < after.size() && (change.framed || !(before[end] == after[end])))
+            ++end;
+        const auto packed = packPoints<float>(resident.frame, std::span(after).subspan(first, end - first));
+        uploader_.write(controlPoints_, start + first, all(packed));
+        first = end + 1;
+    }
+}
+
+// send(first, end) for each run of surfaces that lie beside each other and satisfy the test.
+template <class Test, class Send>
+void GpuScene::sendRuns(const std::vector<Change>& changes, const Test& test, const Send& sendOne)
+{
+    for (size_t first = 0; first < changes.size();) {
+        size_t end = first;
+        while (end < changes.size() && test(changes[end]) &&
+               changes[end].index == changes[first].index + (end - first))
+            ++end;
+        if (end > first)
+            sendOne(changes[first].index, changes[end - 1].index + 1);
+        first = std::max(end, first + 1);
+    }
+}
+
+void GpuScene::updateBorders()
+{
+    std::vector<CoincidentEdges::Change> moved;
+    for (const size_t index : std::exchange(unsearched_, {}))
+        moved.push_back({static_cast<std::uint32_t>(index), placedSurface(*residents_[index].object)});
+    const auto before = edges_.update(moved);
+    if (!before)
+        return;
+    const BorderTables& after = edges_.tables();
+    sendChanges(borderSides_, BINDING_BORDER_SIDES, before->sides, after.sides);
+    sendChanges(borderCorners_, BINDING_BORDER_CORNERS, before->corners, after.corners);
+    sendChanges(borderPieces_, BINDING_BORDER_PIECES, before->pieces, after.pieces);
+    sendChanges(borderUses_, BINDING_BORDER_USES, before->uses, after.uses);
+}
+
+void GpuScene::listMemory(std::vector<HeldMemory>& to) const
+{
+    to.push_back({"control points", controlPoints_.bytes()});
+    to.push_back({"span tables", spanTables_.bytes()});
+    to.push_back({"KSQuad records", ksquads_.bytes()});
+    to.push_back({"surface records", surfaces_.bytes()});
+    to.push_back({"surface views", surfaceViews_.bytes()});
+    to.push_back({"borders", borderSides_.bytes() + borderCorners_.bytes() + borderPieces_.bytes() +
+                                 borderUses_.bytes()});
 }
 
 void GpuScene::forget()
 {
     residents_.clear();
+    records_.clear();
     views_.clear();
     ksquadCount_ = 0;
+    pointCount_ = 0;
 }
 
 void GpuScene::updateViews(const Camera& camera, const std::vector<ObjectId>& highlighted)
@@ -169,6 +320,24 @@ void GpuScene::send(Buffer& buffer, int binding, const std::vector<T>& elements)
 {
     provide(buffer, binding, elements.size() * sizeof(T));
     uploader_.write(buffer, 0, all(elements));
+}
+
+// Runs of records that differ.
+template <class T>
+void GpuScene::sendChanges(Buffer& buffer, int binding, const std::vector<T>& before,
+                           const std::vector<T>& after)
+{
+    if (before.size() != after.size()) {
+        send(buffer, binding, after);
+        return;
+    }
+    for (size_t first = 0; first < after.size();) {
+        size_t end = first;
+        while (end < after.size() && std::memcmp(&before[end], &after[end], sizeof(T)) != 0)
+            ++end;
+        uploader_.write(buffer, first, all(after).subspan(first, end - first));
+        first = end + 1;
+    }
 }
 
 }  // namespace knotspan

@@ -3,26 +3,38 @@
 // or get another shape have the whole scene packed anew.
 #pragma once
 
+#include <set>
 #include <utility>
 
+#include "model/scene/deformation.h"
+#include "renderer/scene/bezier_nets.h"
 #include "renderer/scene/camera.h"
+#include "renderer/scene/held_memory.h"
 #include "renderer/scene/packed_scene.h"
+#include "renderer/scene/shared_edges.h"
 #include "renderer/vulkan/pipeline.h"
 
 namespace knotspan {
+
+// What of the surfaces the device has: KSQuads as indices into their nets, or each as a Bezier patch with a
+// net of its own, which every edit makes again.
+enum class Packing { ksquads, bezier };
 
 class GpuScene {
 public:
     GpuScene(Bindings& bindings, Uploader& uploader);
 
     // Refuses, with a sentence, what exceeds the device's buffers; nothing is held then.
-    void sync(const Scene& scene);
+    void sync(const Scene& scene, Joins joins = Joins::anew);
     // What was written may not have arrived: the next sync() sends everything.
     void forget();
     // An evaluator other than `automatic`. Where it changes, the tables of the spans are sent and the KSQuad
     // records, that say where those start; no control point.
     void useEvaluator(Evaluator evaluator);
     [[nodiscard]] Evaluator evaluator() const { return evaluator_; }
+    // Where that changes, the surfaces are sent again. `withNets`: Bezier patches hide the surfaces' own
+    // nets; with them, which overlays draw, or without.
+    void usePacking(Packing packing, bool withNets);
     // Whether everything was packed anew since the last call.
     [[nodiscard]] bool takeRebuilt() { return std::exchange(rebuilt_, false); }
 
@@ -38,29 +50,66 @@ public:
     }
 
     [[nodiscard]] std::uint32_t ksquadCount() const { return ksquadCount_; }
+    // Of all surfaces, as packed.
+    [[nodiscard]] VkBuffer controlPointBuffer() const { return controlPoints_.get(); }
+    [[nodiscard]] std::uint32_t controlPointCount() const { return pointCount_; }
+    [[nodiscard]] bool isRebuilt() const { return rebuilt_; }  // see takeRebuilt()
     [[nodiscard]] const Box& bounds() const { return bounds_; }
+    [[nodiscard]] const BorderTables& borders() const { return edges_.tables(); }
+    void listMemory(std::vector<HeldMemory>& to) const;
 
 private:
     void rebuild(const VisibleObjects& visible);
+    void sendModel(std::vector<Resident> residents);
+    void sendPoints(const std::vector<Resident>& residents);
     void sendTables(const PackedTables<float>& tables);
-    void replace(Resident& resident, SharedObject object);
+    [[nodiscard]] PackedTables<float> tablesOf(const std::vector<Resident>& residents) const;
+    [[nodiscard]] gpu::SurfaceRecord recordOf(const Resident& resident) const;
+
+    // A resident that is now another object of the same shape.
+    struct Change {
+        size_t index = 0;
+        SharedObject before;
+        bool moved = false;   // some control point
+        bool framed = false;  // its points count from another origin
+        bool recordDiffers = false;
+    };
+    void replace(const VisibleObjects& visible, Joins joins);
+    void lookAt(Change& change);
+    void sendChangedPoints(const Change& change);
+    template <class Test, class Send>
+    static void sendRuns(const std::vector<Change>& changes, const Test& test, const Send& sendOne);
+    void updateBorders();
     void provide(Buffer& buffer, int binding, VkDeviceSize bytes);
     template <class T>
     void send(Buffer& buffer, int binding, const std::vector<T>& elements);
+    template <class T>
+    void sendChanges(Buffer& buffer, int binding, const std::vector<T>& before, const std::vector<T>& after);
 
     Bindings& bindings_;
     Uploader& uploader_;
     std::vector<Resident> residents_;
     Evaluator evaluator_ = Evaluator::triangular;
+    Packing packing_ = Packing::ksquads;
+    bool withNets_ = true;  // the surfaces' own
+    BezierNets beziers_;    // none where KSQuads are packed
     std::uint32_t ksquadCount_ = 0;
+    std::uint32_t pointCount_ = 0;
     bool rebuilt_ = false;
     Box bounds_;
+    std::vector<gpu::SurfaceRecord> records_;
     std::vector<gpu::SurfaceView> views_;
     Buffer surfaces_;
     Buffer surfaceViews_;
     Buffer ksquads_;
     Buffer spanTables_;
     Buffer controlPoints_;
+    SharedEdges edges_;
+    std::set<std::size_t> unsearched_;  // residents that moved since
+    Buffer borderSides_;
+    Buffer borderCorners_;
+    Buffer borderPieces_;
+    Buffer borderUses_;
 };
 
 }  // namespace knotspan

@@ -65,18 +65,15 @@ template <class Real>
 PackedTables<Real> packTables(const std::vector<Resident>& residents, Evaluator evaluator)
 {
     PackedTables<Real> packed;
-    for (size_t surface = 0; surface < residents.size(); ++surface) {
-        const auto firstNumber = static_cast<std::uint32_t>(packed.spanTables.size());
-        const auto table = makePatchTable<Real>(residents[surface].object->surface, evaluator);
-        for (gpu::KsQuadRecord record : table.ksquads) {
+    SpanTablePool<Real> pool;
+    for (size_t surface = 0; surface < residents.size(); ++surface)
+        for (gpu::KsQuadRecord record :
+             makeKsQuadRecords(residents[surface].object->surface, evaluator, pool)) {
             record.surface = static_cast<std::uint32_t>(surface);
             record.firstPoint += residents[surface].firstPoint;
-            record.spanU += firstNumber;
-            record.spanV += firstNumber;
             packed.ksquads.push_back(record);
         }
-        packed.spanTables.insert(packed.spanTables.end(), table.spanTables.begin(), table.spanTables.end());
-    }
+    packed.spanTables = pool.takeNumbers();
     return packed;
 }
 
@@ -85,12 +82,24 @@ std::vector<Resident> makeResidents(const VisibleObjects& objects)
     std::vector<Resident> residents;
     std::uint32_t firstPoint = 0;
     std::uint32_t firstKsquad = 0;
+    std::uint32_t firstBorder = 0;
     for (const auto& [id, object] : objects) {
-        residents.push_back({id, object, PointFrame::of(object->surface), firstPoint, firstKsquad});
+        residents.push_back(
+            {id, object, PointFrame::of(object->surface), firstPoint, firstKsquad, firstBorder});
         firstPoint += static_cast<std::uint32_t>(object->surface.controlPoints().size());
         firstKsquad += static_cast<std::uint32_t>(ksQuadCount(object->surface));
+        firstBorder += static_cast<std::uint32_t>(
+            2 * (object->surface.knotsU().spans().size() + object->surface.knotsV().spans().size()));
     }
     return residents;
+}
+
+gpu::SurfaceRecord surfaceRecordOf(const Resident& resident)
+{
+    gpu::SurfaceRecord record = makeSurfaceRecord(*resident.object, resident.frame, resident.firstPoint);
+    record.firstKsquad = resident.firstKsquad;
+    record.firstBorder = resident.firstBorder;
+    return record;
 }
 
 template <class Real>
@@ -100,7 +109,7 @@ PackedScene<Real> packScene(std::vector<Resident> residents, Evaluator evaluator
     for (const Resident& resident : residents) {
         const auto points = packPoints<Real>(resident.frame, resident.object->surface.controlPoints());
         packed.points.insert(packed.points.end(), points.begin(), points.end());
-        packed.surfaces.push_back(makeSurfaceRecord(*resident.object, resident.frame, resident.firstPoint));
+        packed.surfaces.push_back(surfaceRecordOf(resident));
     }
     packed.tables = packTables<Real>(residents, evaluator);
     packed.residents = std::move(residents);

@@ -17,6 +17,7 @@ struct Resident {
     PointFrame frame;
     std::uint32_t firstPoint = 0;
     std::uint32_t firstKsquad = 0;
+    std::uint32_t firstBorder = 0;
 };
 
 [[nodiscard]] const Resident* findResident(const std::vector<Resident>& residents,
@@ -52,6 +53,7 @@ struct PackedScene {
     PackedTables<Real> tables;
 };
 [[nodiscard]] std::vector<Resident> makeResidents(const VisibleObjects& objects);
+[[nodiscard]] gpu::SurfaceRecord surfaceRecordOf(const Resident& resident);
 template <class Real>
 [[nodiscard]] PackedScene<Real> packScene(std::vector<Resident> residents, Evaluator evaluator);
 

@@ -3,25 +3,22 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <unordered_map>
 
 #include <glm/common.hpp>
 
+#include "model/geometry/bezier_conversion.h"
 #include "model/geometry/evaluation.h"
 
 namespace knotspan {
 
 namespace {
 
-// Where the table of each span of a direction starts, in the order of KnotVector::spans().
 template <class Real>
-std::vector<std::uint32_t> packDirection(const KnotVector& knots, Evaluator evaluator, std::vector<Real>& to)
+std::vector<std::uint32_t> startsOf(const KnotVector& knots, Evaluator evaluator, SpanTablePool<Real>& pool)
 {
     std::vector<std::uint32_t> starts;
-    for (const int span : knots.spans()) {
-        starts.push_back(static_cast<std::uint32_t>(to.size()));
-        appendSpanTable(evaluator, knots, span, to);
-    }
+    for (const int span : knots.spans())
+        starts.push_back(pool.startOf(knots, span, evaluator));
     return starts;
 }
 
@@ -31,22 +28,75 @@ float linear(double encoded)
                                                  : std::pow((encoded + 0.055) / 1.055, 2.4));
 }
 
+// Whether curves of these knots end in a control point, there or at their start.
+bool isClamped(const KnotVector& knots, bool atEnd)
+{
+    const int last = static_cast<int>(knots.values().size()) - 1;
+    return atEnd ? knots[last - 1] == knots.domainEnd() : knots[1] == knots.domainStart();
+}
+
+Vec3 cornerOf(const NurbsSurface& surface, bool endU, bool endV)
+{
+    const KnotVector& u = surface.knotsU();
+    const KnotVector& v = surface.knotsV();
+    // The same, and every frame of a deforming model asks.
+    if (isClamped(u, endU) && isClamped(v, endV))
+        return surface.controlPoint(endU ? surface.countU() - 1 : 0, endV ? surface.countV() - 1 : 0)
+            .position;
+    return evaluate(surface, endU ? u.domainEnd() : u.domainStart(), endV ? v.domainEnd() : v.domainStart())
+        .position;
+}
+
 }  // namespace
 
 template <class Real>
-PatchTable<Real> makePatchTable(const NurbsSurface& surface, Evaluator evaluator)
+std::uint32_t SpanTablePool<Real>::startOf(const KnotVector& knots, int span, Evaluator evaluator)
 {
-    PatchTable<Real> table;
-    const auto startsU = packDirection(surface.knotsU(), evaluator, table.spanTables);
-    const auto startsV = packDirection(surface.knotsV(), evaluator, table.spanTables);
-    table.ksquads.reserve(startsU.size() * startsV.size());
+    std::vector<Real> wanted;
+    for (const double share : bezierMatrix(knots, span))
+        wanted.push_back(static_cast<Real>(share));
+    const auto before = static_cast<std::uint32_t>(wanted.size());
+    appendSpanTable(evaluator, knots, span, wanted);
+    const auto start = static_cast<std::uint32_t>(numbers_.size());
+    const auto [entry, isNew] = starts_.try_emplace(std::move(wanted), start + before);
+    if (isNew)
+        numbers_.insert(numbers_.end(), entry->first.begin(), entry->first.end());
+    return entry->second;
+}
+
+template class SpanTablePool<float>;
+template class SpanTablePool<double>;
+
+template <class Real>
+std::vector<gpu::KsQuadRecord> makeKsQuadRecords(const NurbsSurface& surface, Evaluator evaluator,
+                                                 SpanTablePool<Real>& pool)
+{
+    std::vector<gpu::KsQuadRecord> records;
+    const auto startsU = startsOf(surface.knotsU(), evaluator, pool);
+    const auto startsV = startsOf(surface.knotsV(), evaluator, pool);
+    records.reserve(startsU.size() * startsV.size());
     for (size_t a = 0; a < startsU.size(); ++a)
         for (size_t b = 0; b < startsV.size(); ++b) {
             const int i = surface.knotsU().spans()[a] - surface.degreeU();
             const int j = surface.knotsV().spans()[b] - surface.degreeV();
-            table.ksquads.push_back(
+            records.push_back(
                 {0, static_cast<std::uint32_t>(i * surface.countV() + j), startsU[a], startsV[b]});
         }
+    return records;
+}
+
+template std::vector<gpu::KsQuadRecord> makeKsQuadRecords(const NurbsSurface&, Evaluator,
+                                                          SpanTablePool<float>&);
+template std::vector<gpu::KsQuadRecord> makeKsQuadRecords(const NurbsSurface&, Evaluator,
+                                                          SpanTablePool<double>&);
+
+template <class Real>
+PatchTable<Real> makePatchTable(const NurbsSurface& surface, Evaluator evaluator)
+{
+    SpanTablePool<Real> pool;
+    PatchTable<Real> table;
+    table.ksquads = makeKsQuadRecords(surface, evaluator, pool);
+    table.spanTables = pool.takeNumbers();
     return table;
 }
 
@@ -65,13 +115,6 @@ PointFrame PointFrame::of(const NurbsSurface& surface)
     }
     frame.weight = std::exp2(std::floor(std::log2(heaviest)));
     return frame;
-}
-
-Vec4 PointFrame::pack(const ControlPoint& point, double largest) const
-{
-    // Not zero: a point of no weight that shapes a KSQuad alone would be nowhere.
-    const double scaled = std::max(point.weight / weight, 1e-30);
-    return {glm::clamp(point.position - origin, -largest, largest) * scaled, scaled};
 }
 
 template <class Real>
@@ -98,11 +141,11 @@ gpu::SurfaceRecord makeSurfaceRecord(const SceneObject& object, const PointFrame
     record.degreeV = static_cast<std::uint32_t>(surface.degreeV());
     record.stride = static_cast<std::uint32_t>(surface.countV());
     record.firstPoint = firstPoint;
-    for (int corner = 0; corner < 4; ++corner) {
-        const double u = (corner & 1) != 0 ? surface.knotsU().domainEnd() : surface.knotsU().domainStart();
-        const double v = (corner & 2) != 0 ? surface.knotsV().domainEnd() : surface.knotsV().domainStart();
-        record.corners[corner] = gpu::vec3(evaluate(surface, u, v).position - frame.origin);
-    }
+    for (int corner = 0; corner < 4; ++corner)
+        record.corners[corner] =
+            gpu::vec3(cornerOf(surface, (corner & 1) != 0, (corner & 2) != 0) - frame.origin);
+    record.spansU = static_cast<std::uint32_t>(surface.knotsU().spans().size());
+    record.spansV = static_cast<std::uint32_t>(surface.knotsV().spans().size());
     record.colour = {linear(object.colour.red), linear(object.colour.green), linear(object.colour.blue)};
     return record;
 }

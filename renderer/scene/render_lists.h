@@ -9,7 +9,7 @@
 
 namespace knotspan {
 
-enum class Shading : int { shaded, normals, ksquads };
+enum class Shading : int { shaded, normals, ksquads, error };
 
 struct ShadingInfo {
     Shading id;
@@ -21,13 +21,21 @@ struct ShadingInfo {
 
 // How many KSDice a KSQuad gets.
 struct SamplingRule {
-    enum class Kind { pathDefault, area, fixed };
+    enum class Kind { pathDefault, bound, area, areaNoFriends, edge, fixed };
     Kind kind = Kind::pathDefault;
     int count = 0;  // fixed: KSDice along each side, 1 .. 64
 
     [[nodiscard]] bool operator==(const SamplingRule&) const = default;
 };
-// "area" or "fixed:N"; nothing for anything else.
+
+// The rules to choose from: all kinds but pathDefault.
+struct SamplingRuleInfo {
+    SamplingRule::Kind kind;
+    std::string name;  // "bound"; of `fixed` without its number
+    std::string description;
+};
+[[nodiscard]] const std::vector<SamplingRuleInfo>& samplingRules();
+// A name of the list, "fixed" as "fixed:N"; nothing for anything else.
 [[nodiscard]] std::optional<SamplingRule> parseSamplingRule(std::string_view text);
 [[nodiscard]] std::string name(SamplingRule rule);
 

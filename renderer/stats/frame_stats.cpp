@@ -39,6 +39,7 @@ std::string bytesText(std::uint64_t bytes)
 struct AsText {
     const StatField& field;
 
+    std::string operator()(std::monostate) const { return "not measured"; }
     std::string operator()(const std::string& text) const { return text; }
     std::string operator()(const std::vector<std::string>& words) const
     {
@@ -71,6 +72,7 @@ struct AsText {
 };
 
 struct AsJson {
+    nlohmann::ordered_json operator()(std::monostate) const { return nullptr; }
     nlohmann::ordered_json operator()(const Spread& ms) const
     {
         return {{"min", ms.min}, {"median", ms.median}, {"max", ms.max}};
@@ -89,13 +91,25 @@ struct AsJson {
     }
 };
 
+template <class T>
+StatValue valueOf(const T& value)
+{
+    return value;
+}
+
+template <class T>
+StatValue valueOf(const std::optional<T>& measured)
+{
+    return measured ? StatValue(*measured) : StatValue();
+}
+
 }  // namespace
 
 const std::vector<StatField>& statFields()
 {
-#define KNOTSPAN_FIELD(key, label, unit, member)                                    \
-    {                                                                               \
-        key, label, unit, [](const FrameStats& s) -> StatValue { return s.member; } \
+#define KNOTSPAN_FIELD(key, label, unit, member)                                             \
+    {                                                                                        \
+        key, label, unit, [](const FrameStats& s) -> StatValue { return valueOf(s.member); } \
     }
     static const std::vector<StatField> fields = {
         KNOTSPAN_FIELD("device", "Device", "", device),
@@ -113,12 +127,19 @@ const std::vector<StatField>& statFields()
         KNOTSPAN_FIELD("ksdice", "KSDice", "", ksdice),
         KNOTSPAN_FIELD("triangles", "Triangles", "", triangles),
         KNOTSPAN_FIELD("evaluations", "Evaluations", "", evaluations),
+        KNOTSPAN_FIELD("mesh_groups", "Mesh groups", "", meshGroups),
+        KNOTSPAN_FIELD("busy_lanes", "Busy lanes", "", busyLanes),
+        KNOTSPAN_FIELD("path_limit", "Limit", "", pathLimit),
         KNOTSPAN_FIELD("frames", "Frames", "", frames),
         KNOTSPAN_FIELD("cpu_ms", "CPU", "ms", cpuMs),
         KNOTSPAN_FIELD("gpu_ms", "GPU", "ms", gpuMs),
         KNOTSPAN_FIELD("upload_bytes_first", "First upload", "bytes", uploadBytesFirst),
         KNOTSPAN_FIELD("upload_bytes_per_frame", "Upload a frame", "bytes", uploadBytesPerFrame),
         KNOTSPAN_FIELD("device_bytes", "Device memory", "bytes", deviceBytes),
+        KNOTSPAN_FIELD("error_px_max", "Largest error", "px", errorPxMax),
+        KNOTSPAN_FIELD("error_px_mean", "Mean error", "px", errorPxMean),
+        KNOTSPAN_FIELD("error_bound_px", "Promised error", "px", errorBoundPx),
+        KNOTSPAN_FIELD("leak_pixels", "Leaks", "px", leakPixels),
     };
 #undef KNOTSPAN_FIELD
     return fields;
@@ -151,8 +172,11 @@ std::string display(const StatField& field, const FrameStats& stats)
 std::string toJson(const FrameStats& stats)
 {
     nlohmann::ordered_json object;
-    for (const StatField& field : statFields())
-        object[field.name] = std::visit(AsJson{}, field.get(stats));
+    for (const StatField& field : statFields()) {
+        const StatValue value = field.get(stats);
+        if (!std::holds_alternative<std::monostate>(value))
+            object[field.name] = std::visit(AsJson{}, value);
+    }
     return object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -29,17 +30,27 @@ struct FrameStats {
     std::uint64_t ksdice = 0;
     std::uint64_t triangles = 0;
     std::uint64_t evaluations = 0;  // surface points evaluated to place vertices
+    // Of the path mesh: its mesh groups, and which share of their threads' turns made a vertex.
+    std::optional<std::uint64_t> meshGroups;
+    std::optional<double> busyLanes;
+    std::optional<std::string> pathLimit;  // what of the device holds the path back, as a sentence
     std::uint64_t frames = 1;
     // Over the frames of a run.
-    Spread cpuMs;  // preparing and recording, without waiting
+    Spread cpuMs;  // preparing (taking over the model's changes too) and recording, without waiting
     Spread gpuMs;  // from the device's timestamps
     std::uint64_t uploadBytesFirst = 0;
     std::uint64_t uploadBytesPerFrame = 0;
     std::uint64_t deviceBytes = 0;
+    // How far the picture is from the exact surfaces; only of frames that measure it (Shading::error).
+    std::optional<double> errorPxMax;
+    std::optional<double> errorPxMean;
+    std::optional<double> errorBoundPx;       // what the sampling rule promised, where it promises anything
+    std::optional<std::uint64_t> leakPixels;  // background seen through a closed model (leak_count.h)
 };
 
-using StatValue = std::variant<std::string, std::vector<std::string>, double, std::uint64_t, Spread,
-                               std::array<std::uint64_t, kCullModeCount>>;
+// Empty (the first kind): not measured. JSON leaves the key out then.
+using StatValue = std::variant<std::monostate, std::string, std::vector<std::string>, double, std::uint64_t,
+                               Spread, std::array<std::uint64_t, kCullModeCount>>;
 
 struct StatField {
     std::string name;   // the key in JSON: a contract
@@ -51,10 +62,10 @@ struct StatField {
 [[nodiscard]] const std::vector<StatField>& statFields();
 
 // The figures of a run of frames, oldest first: times as least, median and most, bytes as the first frame's
-// and the most that any later one sent, counts of the last frame. At least one frame.
+// and the most that any later one sent, counts and errors of the last frame. At least one frame.
 [[nodiscard]] FrameStats combined(const std::vector<FrameStats>& frames);
 
-// The value as a person reads it: 15,000; 3.2 / 3.4 / 5.0 ms; 1.5 MB.
+// The value as a person reads it: 15,000; 3.2 / 3.4 / 5.0 ms; 1.5 MB; "not measured".
 [[nodiscard]] std::string display(const StatField& field, const FrameStats& stats);
 
 // The whole as one JSON object.

@@ -1,6 +1,7 @@
 #include "renderer/stats/gpu_counters.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 
 namespace knotspan {
@@ -64,6 +65,18 @@ std::vector<gpu::CapturedRecord> GpuCounters::readCapture(std::uint32_t count) c
     });
     std::memcpy(records.data(), readBack.mapped(), bytes);
     return records;
+}
+
+void noteErrors(FrameStats& stats, const gpu::Counters& counted, bool measured)
+{
+    if (counted.errorBound != 0)
+        stats.errorBoundPx = std::bit_cast<float>(counted.errorBound);
+    if (!measured)
+        return;
+    constexpr double kStep = 1.0 / 4096.0;
+    const double sum = kStep * (counted.errorSum[0] + 4294967296.0 * counted.errorSum[1]);
+    stats.errorPxMax = std::bit_cast<float>(counted.errorMax);
+    stats.errorPxMean = counted.errorPixels > 0 ? sum / counted.errorPixels : 0.0;
 }
 
 }  // namespace knotspan

@@ -1,6 +1,7 @@
 // The counters that the stages add to, and the vertices they note down when a test asks.
 #pragma once
 
+#include "renderer/stats/frame_stats.h"
 #include "renderer/vulkan/pipeline.h"
 #include "shaders/shared/layouts.h"
 
@@ -27,5 +28,9 @@ private:
     Buffer captured_;
     std::uint32_t capacity_ = 0;
 };
+
+// How far the picture may be off, where the sampling rule said so; and how far it is, where the fragment
+// stage measured it (`measured`).
+void noteErrors(FrameStats& stats, const gpu::Counters& counted, bool measured);
 
 }  // namespace knotspan

@@ -20,7 +20,8 @@ Buffer::Buffer(const Device& device, VkDeviceSize bytes, Place place) : bytes_(b
     info.size = bytes;
     info.usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
     if (place == Place::device)
-        info.usage |= VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT;
+        info.usage |= VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT |
+                      VK_BUFFER_USAGE_INDEX_BUFFER_BIT;
     VkBuffer buffer = VK_NULL_HANDLE;
     vkCheck(vkCreateBuffer(device.get(), &info, nullptr, &buffer), "making a buffer");
     buffer_ = {device.get(), buffer};
@@ -50,15 +51,21 @@ Buffer::Buffer(const Device& device, VkDeviceSize bytes, Place place) : bytes_(b
 
 void Uploader::write(const Buffer& target, VkDeviceSize offset, std::span<const std::byte> bytes)
 {
-    if (bytes.empty())
-        return;
-    check(offset + bytes.size() <= target.bytes(), "an upload lies inside its buffer");
+    if (!bytes.empty())
+        std::memcpy(room(target, offset, bytes.size()).data(), bytes.data(), bytes.size());
+}
+
+std::span<std::byte> Uploader::room(const Buffer& target, VkDeviceSize offset, size_t bytes)
+{
+    check(bytes > 0 && offset + bytes <= target.bytes(), "an upload lies inside its buffer");
     const bool overlaps = std::any_of(copies_.begin(), copies_.end(), [&](const Copy& earlier) {
-        return earlier.target == target.get() && earlier.region.dstOffset < offset + bytes.size() &&
+        return earlier.target == target.get() && earlier.region.dstOffset < offset + bytes &&
                offset < earlier.region.dstOffset + earlier.region.size;
     });
-    copies_.push_back({target.get(), {pending_.size(), offset, bytes.size()}, overlaps});
-    pending_.insert(pending_.end(), bytes.begin(), bytes.end());
+    const size_t start = pending_.size();
+    copies_.push_back({target.get(), {start, offset, bytes}, overlaps});
+    pending_.resize(start + bytes);
+    return std::span(pending_).subspan(start);
 }
 
 void Uploader::forget(const Buffer& target)
@@ -94,7 +101,8 @@ VkDeviceSize Uploader::record(VkCommandBuffer commands)
     }
     memoryBarrier(commands, VK_PIPELINE_STAGE_2_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
                   VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
-                  VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_TRANSFER_WRITE_BIT);
+                  VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_INDEX_READ_BIT |
+                      VK_ACCESS_2_TRANSFER_WRITE_BIT);
     return bytes;
 }
 

@@ -41,6 +41,16 @@ public:
         write(target, firstElement * sizeof(T), std::as_bytes(elements));
     }
 
+    // Room for elements that the caller writes before the next call.
+    [[nodiscard]] std::span<std::byte> room(const Buffer& target, VkDeviceSize offset, size_t bytes);
+    template <class T>
+    [[nodiscard]] std::span<T> room(const Buffer& target, VkDeviceSize firstElement, size_t count)
+    {
+        static_assert(alignof(T) <= 4, "all that is uploaded comes in words");
+        return {reinterpret_cast<T*>(room(target, firstElement * sizeof(T), count * sizeof(T)).data()),
+                count};
+    }
+
     // Forgets the writes to a buffer whose whole content is about to be written, or that is about to go.
     void forget(const Buffer& target);
     void forgetAll();

@@ -13,8 +13,11 @@ namespace knotspan {
 struct DeviceAbilities {
     std::string noMeshStages;
     std::string noTessellation;
+    std::string noGeometry;
     std::string noDouble;  // for the compute stage
     std::uint32_t maxTessellationLevel = 64;
+    std::uint32_t meshVertices = 64;  // of a mesh group, as the device likes them
+    std::uint32_t meshTriangles = 98;
     // Mesa's software driver draws wrongly above 65,535 tessellated vertices a draw; 0: no such limit.
     std::uint32_t tessellatedVerticesPerDraw = 0;
     bool swapchain = false;
@@ -37,6 +40,10 @@ public:
     [[nodiscard]] const std::string& name() const { return name_; }
     [[nodiscard]] const DeviceAbilities& abilities() const { return abilities_; }
     [[nodiscard]] PFN_vkCmdDrawMeshTasksEXT drawMeshTasks() const { return drawMeshTasks_; }
+    [[nodiscard]] PFN_vkCmdDrawMeshTasksIndirectEXT drawMeshTasksIndirect() const
+    {
+        return drawMeshTasksIndirect_;
+    }
 
     // The memory type that has all `required` properties, and `preferred` ones where one of those has them.
     [[nodiscard]] std::uint32_t memoryType(std::uint32_t allowed, VkMemoryPropertyFlags required,
@@ -63,6 +70,7 @@ private:
     std::string name_;
     DeviceAbilities abilities_;
     PFN_vkCmdDrawMeshTasksEXT drawMeshTasks_ = nullptr;
+    PFN_vkCmdDrawMeshTasksIndirectEXT drawMeshTasksIndirect_ = nullptr;
     CommandPool commandPool_;
     VkCommandBuffer commands_ = VK_NULL_HANDLE;
     Fence done_;

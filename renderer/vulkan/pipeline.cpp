@@ -17,6 +17,7 @@ VkShaderStageFlagBits stageOf(std::string_view file)
         {".vert", VK_SHADER_STAGE_VERTEX_BIT},
         {".tesc", VK_SHADER_STAGE_TESSELLATION_CONTROL_BIT},
         {".tese", VK_SHADER_STAGE_TESSELLATION_EVALUATION_BIT},
+        {".geom", VK_SHADER_STAGE_GEOMETRY_BIT},
         {".task", VK_SHADER_STAGE_TASK_BIT_EXT},
         {".mesh", VK_SHADER_STAGE_MESH_BIT_EXT},
         {".frag", VK_SHADER_STAGE_FRAGMENT_BIT},
@@ -27,9 +28,9 @@ VkShaderStageFlagBits stageOf(std::string_view file)
     return stage->second;
 }
 
-ShaderModule makeModule(const Device& device, const char* file)
+ShaderModule makeModule(const Device& device, const char* file, std::uint32_t order)
 {
-    const auto words = spirv(file);
+    const auto words = spirv(file, order);
     check(!words.empty(), "the shader is embedded");
     VkShaderModuleCreateInfo info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
     info.codeSize = words.size_bytes();
@@ -50,16 +51,20 @@ VkPipelineShaderStageCreateInfo stageInfo(VkShaderModule module, VkShaderStageFl
 
 // The specialization constants, the same for all stages; a stage takes those that it names. It stays where it
 // was made.
-struct Specialization {
-    Specialization(bool lines, std::uint32_t evaluator) : values{lines ? VK_TRUE : VK_FALSE, evaluator} {}
-    Specialization(const Specialization&) = delete;
-    Specialization& operator=(const Specialization&) = delete;
+struct Constants {
+    Constants(bool lines, const Specialization& wanted)
+        : values{lines ? VK_TRUE : VK_FALSE, wanted.evaluator, wanted.captures ? VK_TRUE : VK_FALSE}
+    {
+    }
+    Constants(const Constants&) = delete;
+    Constants& operator=(const Constants&) = delete;
 
     static constexpr VkSpecializationMapEntry kEntries[] = {
         {KNOTSPAN_LINES_CONSTANT, 0, sizeof(std::uint32_t)},
-        {KNOTSPAN_EVALUATOR_CONSTANT, sizeof(std::uint32_t), sizeof(std::uint32_t)}};
-    std::uint32_t values[2];
-    VkSpecializationInfo info{2, kEntries, sizeof(values), values};
+        {KNOTSPAN_EVALUATOR_CONSTANT, sizeof(std::uint32_t), sizeof(std::uint32_t)},
+        {KNOTSPAN_CAPTURE_CONSTANT, 2 * sizeof(std::uint32_t), sizeof(std::uint32_t)}};
+    std::uint32_t values[3];
+    VkSpecializationInfo info{3, kEntries, sizeof(values), values};
 };
 
 // The state that does not come from shaders. Its parts point at one another, so it stays where it was made.
@@ -118,6 +123,14 @@ struct FixedState {
 
 }  // namespace
 
+std::uint32_t shaderOrderFor(int degree)
+{
+    const auto order = std::find_if(std::begin(kShaderOrders), std::end(kShaderOrders),
+                                    [&](std::uint32_t size) { return static_cast<int>(size) > degree; });
+    check(order != std::end(kShaderOrders), "degrees are at most 15");
+    return *order;
+}
+
 Bindings::Bindings(const Device& device) : device_(device), placeholder_(device, 256, Buffer::Place::device)
 {
     VkShaderStageFlags stages = VK_SHADER_STAGE_ALL_GRAPHICS | VK_SHADER_STAGE_COMPUTE_BIT;
@@ -169,6 +182,7 @@ void Bindings::allocateSet()
 
 void Bindings::set(int binding, const Buffer& buffer)
 {
+    bound_[static_cast<size_t>(binding)] = buffer.get();
     const VkDescriptorBufferInfo info{buffer.get(), 0, VK_WHOLE_SIZE};
     VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
     write.dstSet = set_;
@@ -189,8 +203,12 @@ void Bindings::provide(int binding, Buffer& buffer, VkDeviceSize bytes)
                            "Hide or remove some objects, or choose another device with --device"});
     constexpr VkDeviceSize kLeast = 256;
     const VkDeviceSize wanted = std::max(bytes, kLeast);
-    if (buffer.bytes() >= wanted && buffer.bytes() / 4 <= wanted)
+    if (buffer.bytes() >= wanted && buffer.bytes() / 4 <= wanted) {
+        // What else is bound to this number by turns, as a path's buffers, may stand there now.
+        if (bound_[static_cast<size_t>(binding)] != buffer.get())
+            set(binding, buffer);
         return;
+    }
     set(binding, placeholder_);
     buffer = {};  // first, so that both never live at once
     buffer = Buffer(device_, wanted, Buffer::Place::device);
@@ -211,13 +229,13 @@ void Bindings::push(VkCommandBuffer commands, const void* data, std::uint32_t by
 Pipeline makeGraphicsPipeline(const Device& device, const Bindings& bindings,
                               const GraphicsPipelineInfo& info)
 {
-    const Specialization specialization(info.lines, info.evaluator);
+    const Constants constants(info.lines, info.specialization);
     std::vector<ShaderModule> modules;
     std::vector<VkPipelineShaderStageCreateInfo> stages;
     for (const char* file : info.stages) {
-        modules.push_back(makeModule(device, file));
+        modules.push_back(makeModule(device, file, info.specialization.order));
         stages.push_back(stageInfo(modules.back().get(), stageOf(file)));
-        stages.back().pSpecializationInfo = &specialization.info;
+        stages.back().pSpecializationInfo = &constants.info;
     }
 
     const FixedState state(info);
@@ -245,13 +263,13 @@ Pipeline makeGraphicsPipeline(const Device& device, const Bindings& bindings,
 }
 
 Pipeline makeComputePipeline(const Device& device, const Bindings& bindings, const char* stage,
-                             std::uint32_t evaluator)
+                             const Specialization& specialization)
 {
-    const Specialization specialization(false, evaluator);
-    const ShaderModule module = makeModule(device, stage);
+    const Constants constants(false, specialization);
+    const ShaderModule module = makeModule(device, stage, specialization.order);
     VkComputePipelineCreateInfo create{VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
     create.stage = stageInfo(module.get(), stageOf(stage));
-    create.stage.pSpecializationInfo = &specialization.info;
+    create.stage.pSpecializationInfo = &constants.info;
     create.layout = bindings.layout();
     VkPipeline pipeline = VK_NULL_HANDLE;
     vkCheck(vkCreateComputePipelines(device.get(), VK_NULL_HANDLE, 1, &create, nullptr, &pipeline),

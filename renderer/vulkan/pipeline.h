@@ -31,6 +31,7 @@ private:
     PipelineLayout pipelineLayout_;
     DescriptorPool pool_;
     VkDescriptorSet set_ = VK_NULL_HANDLE;
+    std::array<VkBuffer, BINDING_COUNT> bound_{};
     Buffer placeholder_;  // stands where nothing is bound yet
 };
 
@@ -39,19 +40,31 @@ constexpr VkFormat kColourFormat = VK_FORMAT_R8G8B8A8_UNORM;
 constexpr VkFormat kIndexFormat = VK_FORMAT_R32_UINT;
 constexpr VkFormat kDepthFormat = VK_FORMAT_D32_SFLOAT;
 
+// What stages are specialized for.
+struct Specialization {
+    std::uint32_t evaluator = 0;  // the number in evaluator_list.h
+    bool captures = false;        // vertices are noted down
+    std::uint32_t order = 16;     // as shaderOrderFor() gives it
+
+    [[nodiscard]] auto operator<=>(const Specialization&) const = default;
+};
+
+// The smallest arrays that stages are compiled with and that hold degree + 1 numbers; degree at most 15.
+[[nodiscard]] std::uint32_t shaderOrderFor(int degree);
+
 struct GraphicsPipelineInfo {
     std::initializer_list<const char*> stages;  // file names: "surface.frag"
     VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
     bool overlay = false;  // blended, writes neither depth nor the surface's index
     bool lines = false;    // for overlays
-    std::uint32_t evaluator = 0;
+    Specialization specialization;
 };
 
 // Overlay pipelines set their depth comparison when they draw.
 [[nodiscard]] Pipeline makeGraphicsPipeline(const Device& device, const Bindings& bindings,
                                             const GraphicsPipelineInfo& info);
 [[nodiscard]] Pipeline makeComputePipeline(const Device& device, const Bindings& bindings, const char* stage,
-                                           std::uint32_t evaluator = 0);
+                                           const Specialization& specialization = {});
 
 // Groups for `count` items of work in two dimensions, because one holds only 65,535.
 struct GroupCount {

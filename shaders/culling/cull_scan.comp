@@ -1,5 +1,5 @@
 // Step 2 of the VisibleList: where each group's part starts, the exclusive sum of the groups' counts, by one group of
-// threads in slices; and the indirect draws that follow from the total.
+// threads in slices; and the total.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -8,7 +8,6 @@
 layout(local_size_x = SCAN_THREADS) in;
 
 layout(set = 0, binding = BINDING_CULL_GROUPS, scalar) buffer GroupBuffer { uint groups[][3]; };
-layout(set = 0, binding = BINDING_DRAWS, scalar) writeonly buffer DrawBuffer { DrawRecord draws[]; };
 
 shared uint sums[SCAN_THREADS];
 
@@ -38,12 +37,6 @@ void main()
         start += countOf(group);
     }
 
-    uint drawCount = (frame.ksquadCount + frame.patchesPerDraw - 1u) / frame.patchesPerDraw;
-    for (uint draw = lane; draw < drawCount; draw += SCAN_THREADS) {
-        uint first = draw * frame.patchesPerDraw;
-        uint count = min(frame.patchesPerDraw, total - min(first, total));
-        draws[draw] = DrawRecord(count, 1u, first, 0u);
-    }
     if (lane == 0u)
         counters.drawn = total;
 }

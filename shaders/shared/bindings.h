@@ -14,17 +14,46 @@
 #define BINDING_COUNTERS 9
 #define BINDING_CAPTURED 10    // vertices, or what the compute stage evaluated
 #define BINDING_REQUESTS 11
-#define BINDING_COUNT 12
+#define BINDING_BORDER_SIDES 12    // who else lies along the KSQuad sides that are their surface's border
+#define BINDING_BORDER_CORNERS 13  // where the vertices at the ends of those sides come from
+#define BINDING_BORDER_PIECES 14   // of sides that several others lie along
+#define BINDING_BORDER_USES 15     // who lies along those
+#define BINDING_BLOCK_TABLES 16    // for each span, how its control points make those of its quarters
+#define BINDING_GRIDS 17           // for each KSQuad, how finely this frame asks it to be drawn
+#define BINDING_TILES 18           // the parts of KSQuads' grids that this frame draws, in order
+#define BINDING_TILE_COUNTS 19     // tiles of each visible KSQuad
+#define BINDING_TILE_GROUPS 20     // for each group of visible KSQuads: their tiles, where its part of the list starts
+#define BINDING_MESH_GROUPS 21     // for each group of tiles: vertices and cells, and where its parts start
+#define BINDING_MESH_STARTS 22     // for each tile: where its vertices and its cells end
+#define BINDING_VERTICES 23        // of the path compute
+#define BINDING_INDICES 24
+#define BINDING_ADAPTIVE_BLOCKS 25 // for each KSQuad, which of its 4 x 4 blocks need all cells (path tessellation-adaptive)
+#define BINDING_SURFACE_SPANS 26   // where the spans of whole surfaces lie (path surface)
+#define BINDING_REST_POINTS 27  // control points before a wave moved them
+#define BINDING_WAVES 28      // how the wave moves each surface's
+#define BINDING_COUNT 29
 
 // Specialization constants.
 #define KNOTSPAN_LINES_CONSTANT 0      // of the overlays: lines, not points
 #define KNOTSPAN_EVALUATOR_CONSTANT 1  // of what evaluates: the number in evaluator_list.h
+#define KNOTSPAN_CAPTURE_CONSTANT 2    // of what makes vertices: whether it notes them down
 
 // Work group sizes.
 #define TASK_KSQUADS 32   // KSQuads a task group looks at: one bit each in a word (MESH)
 #define MESH_THREADS 128  // (MESH)
 #define CULL_KSQUADS 64   // KSQuads a group of cull.comp looks at: two words
 #define SCAN_THREADS 128
+#define SAMPLING_KSQUADS 64  // visible KSQuads a group of sampling.comp looks at
+#define TILE_KSQUADS 64   // visible KSQuads a group of tile_count.comp looks at
+#define GEOMETRY_SIDE 5   // cells along a side of a tile of the path geometry
+#define GEOMETRY_VERTICES (2 * GEOMETRY_SIDE * (GEOMETRY_SIDE + 1))
+#define ADAPTIVE_VERTICES 24  // of a base cell of the path tessellation-adaptive: 8 triangles
+#define MESH_TILES 64    // tiles a group of compute_count.comp looks at
+#define MESH_ITEMS 64    // vertices or cells a group of the path compute makes
+#define TASK_TILES 32     // tiles a task group of the path mesh packs into mesh groups
+#define TILE_PAYLOAD_WORDS ((TASK_TILES + 4) / 4)  // a byte for each start of a mesh group, and the end
+#define TILE_THREADS 32   // threads of its mesh groups
 #define EVALUATE_THREADS 64
+#define WAVE_POINTS 64    // control points a group of wave.comp moves
 
 #endif

@@ -21,13 +21,15 @@ void countDice(uint dice, uint triangles, uint evaluations)
     KNOTSPAN_COUNT(counters.evaluations, evaluations)
 }
 
-void captureVertex(uint ksquad, vec2 t, vec3 position, vec3 normal)
+layout(constant_id = KNOTSPAN_CAPTURE_CONSTANT) const bool capturing = false;
+
+void captureVertex(CapturedRecord vertex)
 {
-    if ((frame.flags & FRAME_CAPTURE) == 0u)
+    if (!capturing)
         return;
     uint slot = atomicAdd(counters.captured, 1u);
     if (slot < frame.captureCapacity)
-        captured[slot] = CapturedRecord(ksquad, t, position, normal);
+        captured[slot] = vertex;
 }
 
 #endif

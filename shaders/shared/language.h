@@ -6,10 +6,16 @@
 #ifndef KNOTSPAN_LANGUAGE_H
 #define KNOTSPAN_LANGUAGE_H
 
+// The size of arrays that hold a number for each of degree + 1 functions. Stages are compiled for several sizes: long
+// arrays are slow, and the software driver compiles them for many seconds.
+#ifndef KNOTSPAN_MAX_ORDER
 #define KNOTSPAN_MAX_ORDER 16  // degree 15
+#endif
 
 #ifdef __cplusplus
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 #include <glm/geometric.hpp>
@@ -23,17 +29,33 @@
 #define KNOTSPAN_SOURCE_TEMPLATE template <class Real, class Source>
 #define KNOTSPAN_EVALUATOR_TEMPLATE template <auto evaluator, class Real, class Source>
 #define KNOTSPAN_IF_EVALUATOR(number) if constexpr (static_cast<uint>(evaluator) == number)
+#define KNOTSPAN_SCENE_TEMPLATE template <class Source>
+#define KNOTSPAN_INLINE inline
 #define KNOTSPAN_SOURCE const Source &source,
 #define KNOTSPAN_PASS_SOURCE source,
 #define KNOTSPAN_TABLE(index) source.spanTable(index)
 #define KNOTSPAN_POINT(index) source.controlPoint(index)
+#define KNOTSPAN_SURFACE(index) source.surface(index)
+#define KNOTSPAN_KSQUAD(index) source.ksquad(index)
+#define KNOTSPAN_GRID(index) source.grid(index)
+#define KNOTSPAN_BORDER_SIDE(index) source.borderSide(index)
+#define KNOTSPAN_BORDER_CORNER(index) source.borderCorner(index)
+#define KNOTSPAN_BORDER_PIECE(index) source.borderPiece(index)
+#define KNOTSPAN_BORDER_USE(index) source.borderUse(index)
+#define KNOTSPAN_OVERSAMPLES(kind) false
 #define KNOTSPAN_OF_REAL <Real>
+#define KNOTSPAN_OF_SOURCE <Source>
+#define KNOTSPAN_FLOAT2 vec2
 #define KNOTSPAN_VEC2 glm::vec<2, Real>
 #define KNOTSPAN_VEC3 glm::vec<3, Real>
 #define KNOTSPAN_VEC4 glm::vec<4, Real>
 
 namespace knotspan::gpu {
 using uint = std::uint32_t;
+using std::ceil;
+using std::floor;
+using std::max;
+using std::min;
 using glm::mat4;
 using glm::mat4x3;
 using glm::uvec2;
@@ -48,11 +70,24 @@ using glm::vec4;
 #define KNOTSPAN_SOURCE_TEMPLATE
 #define KNOTSPAN_EVALUATOR_TEMPLATE
 #define KNOTSPAN_IF_EVALUATOR(number) if (evaluator == uint(number))
+#define KNOTSPAN_SCENE_TEMPLATE
+#define KNOTSPAN_INLINE
 #define KNOTSPAN_SOURCE
 #define KNOTSPAN_PASS_SOURCE
 #define KNOTSPAN_TABLE(index) spanTable(index)
 #define KNOTSPAN_POINT(index) controlPoint(index)
+#define KNOTSPAN_SURFACE(index) surfaces[index]
+#define KNOTSPAN_KSQUAD(index) ksquads[index]
+#define KNOTSPAN_GRID(index) grids[index]
+#define KNOTSPAN_BORDER_SIDE(index) borderSides[index]
+#define KNOTSPAN_BORDER_CORNER(index) borderCorners[index]
+#define KNOTSPAN_BORDER_PIECE(index) borderPieces[index]
+#define KNOTSPAN_BORDER_USE(index) borderUses[index]
+#define KNOTSPAN_OVERSAMPLES(kind) \
+    ((frame.flags & ((kind) == BORDER_OPEN ? FRAME_OVERSAMPLE_OPEN : FRAME_OVERSAMPLE_SHARED)) != 0u)
 #define KNOTSPAN_OF_REAL
+#define KNOTSPAN_OF_SOURCE
+#define KNOTSPAN_FLOAT2 vec2
 #ifdef KNOTSPAN_DOUBLE
 #define Real double
 #define KNOTSPAN_ROUNDING 1e-14lf  // of a coordinate, by evaluation

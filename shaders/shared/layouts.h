@@ -12,19 +12,45 @@ namespace knotspan::gpu {
 #define FRAME_KNOT_LINES 1u
 #define FRAME_CAPTURE 2u
 #define FRAME_ORTHOGRAPHIC 4u
+#define FRAME_SPANS 16u         // t of a pixel counts the spans of its whole surface
+#define FRAME_OVERSAMPLE_OPEN 32u    // borders of surfaces that nobody shares get twice as many cells
+#define FRAME_OVERSAMPLE_SHARED 64u  // and so do those that others lie along
+#define FRAME_EVEN_TILES 128u        // tiles start at even cells
+#define FRAME_MEASURE_ERROR 8u  // the fragment stage measures each pixel's distance from the surface
+
+// How much of a measured error may be the rasterizer's: it rounds vertices to 1/256 pixel.
+#define KNOTSPAN_ERROR_NOISE_PX 0.02f
+
+// Sampling rules: how many cells a KSQuad asks for.
+#define RULE_BOUND 0u
+#define RULE_AREA 1u
+#define RULE_EDGE 2u
+#define RULE_FIXED 3u
 
 // What all stages know of the picture. Lengths on screen are pixels.
 struct FrameRecord {
     mat4 projection;      // eye-relative view space to clip space, reversed depth
     float pixelsPerUnit;  // of a unit at distance 1 (perspective) or anywhere (orthographic)
-    float diePx;          // area rule: the longest edge of a KSDie
-    uint fixedDice;       // fixed rule: KSDice along each side; 0: the area rule
-    uint maxDice;         // what the device can do
+    vec2 pixels;          // width and height of the picture
+    float tolerancePx;
+    uint samplingRule;    // RULE_...
+    float diePx;          // area and edge rules: the longest edge of a KSDie
+    uint fixedDice;       // fixed rule: KSDice along each side
+    uint snap;            // how the path takes border vertices to edges (borders.glsl)
+    uint tileSide;        // the most cells of a tile along one side
+    uint tileVertices;    // and the most vertices
+    uint tileTriangles;   // and triangles
+    uint tileCapacity;    // what the list of tiles holds
+    uint tilesPerDraw;    // what one draw may hold, where tiles are drawn as vertices
+    uint vertexCapacity;  // what the buffers of the path compute hold
+    uint cellCapacity;
+    uint taskTiles;       // tiles a task group takes, where a task stage draws them; else 0
     uint cullBits;
     uint ksquadCount;
+    uint surfaceCount;
+    uint pointCount;  // control points of all surfaces
     uint shading;
     uint flags;
-    uint patchesPerDraw;   // what one draw of the tessellation path may hold
     uint captureCapacity;  // vertices; of the compute stage: requests
 };
 
@@ -36,7 +62,68 @@ struct SurfaceRecord {
     uint firstPoint;  // of the whole net
     vec3 corners[4];  // S at (u,v) = (0,0), (1,0), (0,1), (1,1) of the domain, relative to its origin
     vec3 colour;      // linear
+    uint firstKsquad;  // KSQuad (a, b), a < spansU, b < spansV, is number firstKsquad + a spansV + b
+    uint spansU;
+    uint spansV;
+    uint firstBorder;  // of its 2 (spansU + spansV) border sides, and of as many border corners (borders.glsl)
 };
+
+// The sides of a KSQuad, and its corners by bits: 1 for u = 1, 2 for v = 1. A side or a corner of KSQuad k is named
+// by 4 k + its number.
+#define SIDE_START_U 0u  // u = 0, along v
+#define SIDE_END_U 1u    // u = 1, along v
+#define SIDE_START_V 2u  // v = 0, along u
+#define SIDE_END_V 3u    // v = 1, along u
+
+// A KSQuad side that is its surface's border. Sides inside a surface need no record: their neighbour is the next
+// KSQuad, and the one before owns the edge.
+struct BorderSide {
+    uint other;  // BORDER_WHOLE: the side along the whole of which it lies; BORDER_PIECES: the first piece
+    uint flags;
+};
+#define BORDER_OPEN 0u       // nobody else lies along it
+#define BORDER_WHOLE 1u      // one other side does, from end to end
+#define BORDER_PIECES 2u     // it is divided; how many pieces: flags >> BORDER_COUNT_SHIFT
+#define BORDER_COLLAPSED 3u  // all its points are one, that of its corners (a pole)
+#define BORDER_KIND 3u       // the bits of those
+#define BORDER_REVERSED 4u   // BORDER_WHOLE: the other one runs the other way
+#define BORDER_OWNER 8u      // BORDER_WHOLE: the edge's vertices are this side's
+#define BORDER_COUNT_SHIFT 8u
+
+// A piece of a divided side, in the order of the side's t.
+struct BorderPiece {
+    float start;  // the side's t
+    float end;
+    uint owner;  // the side whose points are its vertices
+    float ownerStart;  // that one's t at start and end
+    float ownerEnd;
+    uint corner;  // the corner that is the vertex at start; NO_CORNER: the side's own at that t
+    uint firstUse;
+    uint useCount;
+};
+#define NO_CORNER 0xffffffffu
+
+// A side that lies along a piece, the piece's own side included: every side of an edge reads the same uses.
+struct BorderUse {
+    uint side;
+    float share;  // how much of that side the piece is, 0 .. 1
+};
+
+// How many cells a KSQuad asks for along each of its sides, before its neighbours are heard. 0: it is not drawn.
+struct GridRecord {
+    uint alongV;  // sides START_U (low 16 bits) and END_U
+    uint alongU;  // sides START_V (low 16 bits) and END_V
+};
+
+// A rectangle of cells of a KSQuad's drawn grid.
+struct TileRecord {
+    uint ksquad;
+    uint first;  // cell: i (low 16 bits) and j
+    uint cells;  // along u (low 16 bits) and v
+    uint grid;   // the whole grid's, likewise
+    uint edges[2];  // cells of the edges at START_U (low 16 bits) and END_U, at START_V and END_V; with TILE_DIVIDED
+};
+#define TILE_DIVIDED 0x8000u  // the edge's vertices are not evenly spaced (borders.glsl)
 
 // A surface as this frame's camera sees it; made in double.
 struct SurfaceView {
@@ -60,6 +147,15 @@ struct Counters {
     uint culled[KNOTSPAN_CULL_MODE_COUNT];
     uint drawn;
     uint captured;
+    uint tiles;       // wanted; beyond frame.tileCapacity the frame is drawn again with more room
+    uint meshVertices;  // wanted by the path compute; beyond frame.vertexCapacity the frame is drawn again
+    uint meshCells;
+    uint meshGroups;  // of the path mesh
+    uint errorBound;  // float bits: the largest bound of a KSQuad's grid, pixels
+    uint errorMax;    // float bits: the largest error measured, pixels
+    uint errorPixels;  // how many pixels were measured
+    uint errorSum[2];  // in 1/4096 pixel
+    uint laneSlots[2];  // threads of the path mesh times their rounds over vertices
     uint ksdice[2];
     uint triangles[2];
     uint evaluations[2];
@@ -69,8 +165,10 @@ struct Counters {
 struct CapturedRecord {
     uint ksquad;
     vec2 t;
-    vec3 position;
+    uint source;    // the KSQuad that its position comes from
+    vec3 position;  // in the coordinates of the source's surface
     vec3 normal;
+    vec4 clip;  // where it is drawn
 };
 
 // What the compute stage is to evaluate, and what it gives: in float and in double.
@@ -95,6 +193,43 @@ struct DrawRecord {
     uint firstInstance;
 };
 
+// How a wave moves a surface's control points (model/scene/deformation.h).
+struct WaveRecord {
+    vec3 phase;  // per unit of the surface's own coordinates
+    float phaseAtOrigin;
+    vec3 move;  // in those coordinates, by the whole amplitude
+    float time;
+};
+
+// VkDrawIndexedIndirectCommand.
+struct IndexedDrawRecord {
+    uint indexCount;
+    uint instanceCount;
+    uint firstIndex;
+    int vertexOffset;
+    uint firstInstance;
+};
+
+// A vertex as the path compute makes it.
+struct VertexRecord {
+    vec4 clip;
+    vec3 view;
+    vec3 normal;
+    vec2 t;
+    uint ksquad;
+    float inverseWeight;  // of the KSQuad at t
+};
+
+// A vertex as the path cpu makes it: whatever the view.
+struct ObjectVertex {
+    vec3 position;  // in the coordinates of the source's surface
+    vec3 normal;    // in those of the KSQuad's
+    vec2 t;
+    uint ksquad;
+    uint source;
+    float weight;  // of the KSQuad at t
+};
+
 // Push constants of the overlays.
 struct OverlayConstants {
     vec4 colour;
@@ -107,10 +242,14 @@ struct OverlayConstants {
 #define NO_MARK 0xffffffffu
 
 #ifdef __cplusplus
-static_assert(sizeof(FrameRecord) == 104 && sizeof(SurfaceRecord) == 76 && sizeof(SurfaceView) == 72);
-static_assert(sizeof(KsQuadRecord) == 16 && sizeof(CapturedRecord) == 36);
+static_assert(sizeof(FrameRecord) == 156 && sizeof(SurfaceRecord) == 92 && sizeof(SurfaceView) == 72);
+static_assert(sizeof(BorderSide) == 8 && sizeof(BorderPiece) == 32 && sizeof(BorderUse) == 8);
+static_assert(sizeof(GridRecord) == 8 && sizeof(TileRecord) == 24);
+static_assert(sizeof(KsQuadRecord) == 16 && sizeof(CapturedRecord) == 56);
 static_assert(sizeof(RequestRecord<float>) == 12 && sizeof(RequestRecord<double>) == 24);
 static_assert(sizeof(EvaluatedRecord<float>) == 48 && sizeof(EvaluatedRecord<double>) == 96);
+static_assert(sizeof(WaveRecord) == 32);
+static_assert(sizeof(IndexedDrawRecord) == 20 && sizeof(VertexRecord) == 56 && sizeof(ObjectVertex) == 44);
 static_assert(sizeof(DrawRecord) == 16 && sizeof(OverlayConstants) == 36);
 }  // namespace knotspan::gpu
 #endif

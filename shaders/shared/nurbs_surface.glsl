@@ -16,6 +16,7 @@ struct SurfaceSample {
     KNOTSPAN_VEC3 position;
     KNOTSPAN_VEC3 du;  // by the span's own t, not by u
     KNOTSPAN_VEC3 dv;
+    Real weight;  // the sum that position is divided by
 };
 
 // `firstPoint` is the index of B_{i-p,j-q}, `stride` the distance between rows of the net.
@@ -39,6 +40,7 @@ SurfaceSample KNOTSPAN_OF_REAL contractNet(KNOTSPAN_SOURCE uint firstPoint, uint
         sumV += basisU.value[i] * rowV;
     }
     SurfaceSample KNOTSPAN_OF_REAL result;
+    result.weight = sum.w;
     result.position = KNOTSPAN_VEC3(sum) / sum.w;
     result.du = (KNOTSPAN_VEC3(sumU) - sumU.w * result.position) / sum.w;
     result.dv = (KNOTSPAN_VEC3(sumV) - sumV.w * result.position) / sum.w;

@@ -58,34 +58,52 @@ KNOTSPAN_VEC3 directionOf(KNOTSPAN_VEC3 v)
 struct SurfaceVertex {
     SurfaceSample at;
     KNOTSPAN_VEC3 normal;  // unit
+    Real weight;           // of the KSQuad itself at t
 };
 
+// A vertex at t of a KSQuad whose position is the point at sourceT of `source`: the KSQuad itself (`same`) or, along an
+// edge, the edge's owner.
+//
 // Where the tangents tell no normal (one is zero or all rounding error, as at a pole, or both point the same way), it
-// is that of the nearest point a little further inside the KSQuad whose tangents do. One loop, so that the
-// evaluation stands in a stage once: the software driver compiles it for seconds.
-SurfaceVertex vertexOf(KsQuadRecord ksquad, KNOTSPAN_VEC2 t)
+// is that of the nearest point a little further inside the KSQuad whose tangents do. One loop, so that the evaluation
+// stands in a stage once: the software driver compiles it for seconds, and both sides of an edge get the same bits.
+SurfaceVertex placedVertex(KsQuadRecord ksquad, KNOTSPAN_VEC2 t, KsQuadRecord source, KNOTSPAN_VEC2 sourceT, bool same)
 {
     const Real kLeastSine = 32.0 * KNOTSPAN_ROUNDING;
     SurfaceVertex vertex;
     vertex.normal = KNOTSPAN_VEC3(0.0);
     Real inwards = 0.0;
-    for (int attempt = 0; attempt < 5; ++attempt) {
-        SurfaceSample at = sampleKsQuad(ksquad, mix(t, KNOTSPAN_VEC2(0.5), inwards));
+    KsQuadRecord seen = source;
+    KNOTSPAN_VEC2 place = sourceT;
+    bool telling = same;
+    for (int attempt = 0; attempt < 6; ++attempt) {
+        SurfaceSample at = sampleKsQuad(seen, place);
         if (attempt == 0)
             vertex.at = at;
-        KNOTSPAN_VEC3 n = cross(directionOf(at.du), directionOf(at.dv));
-        Real rounding = KNOTSPAN_ROUNDING * largest(at.position);
-        bool tells = min(largest(at.du), largest(at.dv)) > rounding && dot(n, n) > kLeastSine * kLeastSine;
-        if (tells || vertex.normal == KNOTSPAN_VEC3(0.0))
-            vertex.normal = directionOf(n);
-        if (tells)
-            break;
-        inwards = max(8.0 * inwards, 0.0009765625);
+        if (telling) {
+            if (inwards == 0.0)
+                vertex.weight = at.weight;
+            KNOTSPAN_VEC3 n = cross(directionOf(at.du), directionOf(at.dv));
+            Real rounding = KNOTSPAN_ROUNDING * largest(at.position);
+            bool tells = min(largest(at.du), largest(at.dv)) > rounding && dot(n, n) > kLeastSine * kLeastSine;
+            if (tells || vertex.normal == KNOTSPAN_VEC3(0.0))
+                vertex.normal = directionOf(n);
+            if (tells)
+                break;
+            inwards = max(8.0 * inwards, 0.0009765625);
+            place = mix(t, KNOTSPAN_VEC2(0.5), inwards);
+        } else {
+            seen = ksquad;
+            place = t;
+            telling = true;
+        }
     }
     if (vertex.normal == KNOTSPAN_VEC3(0.0))
         vertex.normal = KNOTSPAN_VEC3(0.0, 0.0, 1.0);
     return vertex;
 }
+
+SurfaceVertex vertexOf(KsQuadRecord ksquad, KNOTSPAN_VEC2 t) { return placedVertex(ksquad, t, ksquad, t, true); }
 
 vec3 toView(uint surface, vec3 position) { return surfaceViews[surface].modelView * vec4(position, 1.0); }
 

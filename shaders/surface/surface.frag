@@ -1,4 +1,4 @@
-// The colour of a surface's pixel: where all paths end.
+// The colour of a surface's pixel: where all paths end. Shading by the error has a stage of its own, surface_error.frag.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -7,17 +7,10 @@
 
 SURFACE_IN
 
-layout(location = 0) out vec4 outColour;   // sRGB, encoded here
-layout(location = 1) out uint outSurface;  // index + 1, for picking
+#include "surface_colour.glsl"
 
 #define SHADING_NORMALS 1u
 #define SHADING_KSQUADS 2u
-
-vec3 encodedSrgb(vec3 linear)
-{
-    linear = clamp(linear, 0.0, 1.0);
-    return mix(1.055 * pow(linear, vec3(1.0 / 2.4)) - 0.055, 12.92 * linear, lessThan(linear, vec3(0.0031308)));
-}
 
 // A colour for each KSQuad that neighbours rarely share.
 vec3 ksquadColour(uint index)
@@ -41,15 +34,9 @@ vec3 lit(vec3 albedo, vec3 n, vec3 towardsEye)
     return albedo * light + 0.16 * gloss;
 }
 
-// How much of a line of about 1.5 pixels along the KSQuad's border covers this pixel.
-float knotLine(vec2 t)
-{
-    vec2 pixels = min(t, 1.0 - t) / max(fwidth(t), vec2(1e-9));
-    return 1.0 - smoothstep(0.4, 1.3, min(pixels.x, pixels.y));
-}
-
 void main()
 {
+    PixelPlace place = pixelPlace(inT);
     uint surface = ksquads[inKsquad].surface;
     bool orthographic = (frame.flags & FRAME_ORTHOGRAPHIC) != 0u;
     vec3 towardsEye = orthographic ? vec3(0, 0, 1) : -normalize(inPosition);
@@ -61,13 +48,13 @@ void main()
     if (frame.shading == SHADING_NORMALS) {
         colour = pow(max(0.5 + 0.5 * n, 0.0), vec3(2.2));
     } else {
-        vec3 albedo = frame.shading == SHADING_KSQUADS ? ksquadColour(inKsquad) : surfaces[surface].colour;
+        vec3 albedo = frame.shading == SHADING_KSQUADS ? ksquadColour(place.ksquad) : surfaces[surface].colour;
         // The inside of a surface is a little darker and warmer, so that its orientation shows.
         colour = lit(front ? albedo : albedo * vec3(0.75, 0.62, 0.5), facing, towardsEye);
     }
     colour = mix(colour, vec3(1.0, 0.45, 0.08), 0.22 * surfaceViews[surface].highlight);
     if ((frame.flags & FRAME_KNOT_LINES) != 0u)
-        colour = mix(colour, vec3(0.015), 0.8 * knotLine(inT));
+        colour = mix(colour, vec3(0.015), 0.8 * knotLine(place.t));
     outColour = vec4(encodedSrgb(colour), 1.0);
     outSurface = surface + 1u;
 }

@@ -2,25 +2,35 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
-#include "../shared/counters.glsl"
+#include "../shared/grid_scene.glsl"
+#include "drawn_vertex.glsl"
 #include "surface_io.glsl"
 
 layout(quads, equal_spacing, ccw) in;
 
-layout(location = 0) flat in uint inKsquad[];
+layout(location = 0) flat in uint inTile[];
 SURFACE_OUT(ONE_VERTEX)
 
 void main()
 {
-    uint index = inKsquad[0];
-    KsQuadRecord ksquad = ksquads[index];
-    vec2 t = gl_TessCoord.xy;
-    SurfaceVertex vertex = vertexOf(ksquad, t);
-    vec3 viewPosition = toView(ksquad.surface, vertex.at.position);
-    gl_Position = toClip(viewPosition);
-    outPosition = viewPosition;
-    outNormal = normalToView(ksquad.surface, vertex.normal);
-    outT = t;
-    outKsquad = index;
-    captureVertex(index, t, vertex.at.position, vertex.normal);
+    TileRecord tile = tiles[inTile[0]];
+    DrawnGrid grid = gridOf(tile);
+    vec2 cells = vec2(tile.cells & 0xffffu, tile.cells >> 16u);
+    vec2 place = vec2(tile.first & 0xffffu, tile.first >> 16u) + gl_TessCoord.xy * cells;
+    vec2 whole = round(place);
+    GridVertex at;
+    if (max(abs(place.x - whole.x), abs(place.y - whole.y)) > 0.25) {
+        vec2 t = place / vec2(grid.u, grid.v);  // of the middle row that the tessellator made of a single one
+        at = vertexFrom(t, tile.ksquad, t);
+    } else {
+        at = gridVertex(tile.ksquad, grid, uint(whole.x), uint(whole.y), frame.snap);
+    }
+    DrawnVertex vertex = drawnVertex(at, tile.ksquad);
+    gl_Position = vertex.clip;
+    outPosition = vertex.view;
+    outNormal = vertex.normal;
+    outT = vertex.t;
+    outWeightedT = vertex.inverseWeight * vertex.t;
+    outInverseWeight = vertex.inverseWeight;
+    outKsquad = tile.ksquad;
 }

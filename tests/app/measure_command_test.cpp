@@ -29,7 +29,8 @@ protected:
         model = *folder / "nine & 16.knotspan";
         plot = *folder / "plot.svg";
         ASSERT_EQ(runProgram({"sample", "nine-16", "-o", model}).exitCode, 0);
-        run = runProgram({"measure", model, "--points", "500", "--json", "--plot", plot});
+        run = runProgram(
+            {"measure", model, "--only", "evaluators", "--points", "500", "--json", "--plot", plot});
         ASSERT_EQ(run.exitCode, 0) << run.messages;
         json = Json::parse(run.output);
     }
@@ -129,8 +130,9 @@ TEST_F(MeasureCommand, WithoutADeviceMeasuresTheCpuWithTheSameErrors)
     // The loader's variable is one of these, by its age.
     ::setenv("VK_DRIVER_FILES", "/absent.json", 1);
     ::setenv("VK_ICD_FILENAMES", "/absent.json", 1);
-    const ProgramRun bare = runProgram({"measure", model, "--points", "500", "--json"});
-    const ProgramRun table = runProgram({"measure", model, "--points", "1"});
+    const ProgramRun bare =
+        runProgram({"measure", model, "--only", "evaluators", "--points", "500", "--json"});
+    const ProgramRun table = runProgram({"measure", model, "--only", "evaluators", "--points", "1"});
     expectFailure({"measure", model, "--points", "1", "--device", "0"}, "Vulkan");
     ::unsetenv("VK_DRIVER_FILES");
     ::unsetenv("VK_ICD_FILENAMES");

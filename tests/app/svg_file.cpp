@@ -15,6 +15,8 @@ std::optional<SvgFile> readSvg(const std::filesystem::path& path)
         xml.readNext();
         if (xml.isStartElement() && xml.attributes().value("class") == QStringLiteral("marker"))
             ++file.markers;
+        if (xml.isStartElement() && xml.attributes().value("class") == QStringLiteral("curve"))
+            ++file.curves;
         if (xml.isCharacters() && !xml.isWhitespace())
             file.text += xml.text().toString().toStdString() + "\n";
     }

@@ -9,6 +9,7 @@ namespace knotspan::testing {
 
 struct SvgFile {
     size_t markers = 0;  // elements of class `marker`
+    size_t curves = 0;   // of class `curve`
     std::string text;    // all of it, one text a line
 };
 

@@ -170,7 +170,10 @@ std::vector<FolderRule> makeRules()
                          "renderer/culling/cull_modes.h",
                          "renderer/paths/path_list.h",
                          "renderer/scene/camera.h",
-                         "renderer/scene/render_lists.h"};
+                         "renderer/scene/render_lists.h",
+                         "renderer/measurement"};
+    const Folders front{"renderer/renderer.h", "renderer/frame.h", "renderer/leak_count.h", "renderer/stats",
+                        "renderer/paths/path_list.h"};
     const Folders viewing = window + Folders{"ui/tools"};
     const Folders panels = viewing + Folders{"ui/viewport"};
     return {
@@ -192,10 +195,14 @@ std::vector<FolderRule> makeRules()
         {.folder = "renderer/vulkan", .mayInclude = scene + Folders{"shaders/spirv.h"}, .vulkan = true},
         {.folder = "renderer/scene", .mayInclude = scene + Folders{"renderer/vulkan"}, .vulkan = true},
         {.folder = "renderer/culling", .mayInclude = drawing, .vulkan = true},
+        {.folder = "renderer/sampling", .mayInclude = drawing, .vulkan = true},
         {.folder = "renderer/paths", .mayInclude = drawing, .vulkan = true},
         {.folder = "renderer/overlays", .mayInclude = drawing, .vulkan = true},
         {.folder = "renderer/stats", .mayInclude = drawing, .vulkan = true},
         {.folder = "renderer", .mayInclude = scene + Folders{"renderer"}, .vulkan = true},
+        // Above the renderer: it draws as any program would.
+        {.folder = "renderer/measurement", .mayInclude = scene + front},
+        {.folder = "ui/plots", .mayInclude = window, .disk = Disk::names, .qt = true},
         {.folder = "ui/tools", .mayInclude = window, .disk = Disk::names, .qt = true},
         // It makes the window's surface.
         {.folder = "ui/viewport", .mayInclude = viewing, .disk = Disk::names, .qt = true, .vulkan = true},
@@ -205,14 +212,18 @@ std::vector<FolderRule> makeRules()
          .mayInclude = {"app", "ui", "renderer", "model", "shaders/shared"},
          .disk = Disk::yes,
          .qt = true},
+        {.folder = "benchmarks/deforming", .mayInclude = scene + Folders{"model/samples", "renderer/scene"}},
         // The peers that it measures beside ours.
         {.folder = "benchmarks/evaluation",
          .mayInclude = values + Folders{"benchmarks/evaluation"},
          .openCascade = true},
+        {.folder = "benchmarks/deforming", .mayInclude = scene + Folders{"model/samples", "renderer/scene"}},
         {.folder = "shaders", .mayInclude = {}},
         {.folder = "shaders/shared", .mayInclude = {}},
         {.folder = "shaders/surface", .mayInclude = {"shaders/shared", "shaders/culling"}},
         {.folder = "shaders/culling", .mayInclude = {"shaders/shared"}},
+        {.folder = "shaders/sampling", .mayInclude = {"shaders/shared"}},
+        {.folder = "shaders/deformation", .mayInclude = {"shaders/shared"}},
         {.folder = "shaders/overlay", .mayInclude = {"shaders/shared"}},
     };
 }

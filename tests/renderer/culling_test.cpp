@@ -135,9 +135,11 @@ TEST_P(Culling, OfAMirroredBodyDropsWhatFacesAway)
     EXPECT_GT(shownPixels(culled.picture), shownPixels(whole) * 8 / 10);
 }
 
-INSTANTIATE_TEST_SUITE_P(Path, Culling, ::testing::Values(PathId::mesh9x9, PathId::tessellation),
+INSTANTIATE_TEST_SUITE_P(Path, Culling, ::testing::Values(PathId::mesh9x9, PathId::tessellation, PathId::cpu),
                          [](const auto& test) {
-                             return test.param == PathId::mesh9x9 ? "Mesh9x9" : "Tessellation";
+                             return test.param == PathId::mesh9x9        ? "Mesh9x9"
+                                    : test.param == PathId::tessellation ? "Tessellation"
+                                                                         : "Cpu";
                          });
 
 }  // namespace

@@ -60,9 +60,10 @@ TEST(RendererBorder, CountsWhatTheTessellatorMakes)
 {
     KNOTSPAN_NEED_RENDERER(renderer);
     KNOTSPAN_NEED_PATH(*renderer, PathId::tessellation);
-    for (const char* sample : {"hull", "torus", "extremes"}) {
+    for (const char* sample : {"hull", "torus", "single-100"}) {
         const Scene scene = findSample(sample)->make();
-        const Frame frame = frameOf(scene, PathId::tessellation);
+        Frame frame = frameOf(scene, PathId::tessellation);
+        frame.tolerancePx = 4;  // no KSQuad is so fine that it is cut into tiles
         const FrameStats stats = drawn(*renderer, scene, frame).stats;
         const auto vertices = renderer->captureVertices(frame);
         ASSERT_TRUE(vertices);

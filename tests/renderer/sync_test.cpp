@@ -1,5 +1,6 @@
 #include "model/samples/sample_list.h"
 #include "model/scene/control_point_editing.h"
+#include "shaders/shared/layouts.h"
 #include "tests/renderer/render_support.h"
 
 namespace knotspan::testing {
@@ -48,10 +49,11 @@ TEST_F(Sync, SendsTheRecordOfASurfaceWhoseCornerMoved)
 {
     SetUpScene();
     moveControlPoint(scene.objects().begin()->first, {0, 0}, {0, 0, 0.1});
-    EXPECT_EQ(bytesOfNextFrame(), 16U + 76U);
+    EXPECT_EQ(bytesOfNextFrame(), 16U + sizeof(gpu::SurfaceRecord));
 }
 
-// Nine bicubic patches: two tables of (p + 1)^2 floats and a record of 16 bytes for each.
+// Nine bicubic patches: a record of 16 bytes for each and, because all have the same knots, one table: a
+// Bezier matrix and (p + 1)^2 floats.
 TEST_F(Sync, SendsTablesAndTheirPlacesForAnotherEvaluatorAndDrawsTheSame)
 {
     SetUpScene();
@@ -60,7 +62,7 @@ TEST_F(Sync, SendsTablesAndTheirPlacesForAnotherEvaluatorAndDrawsTheSame)
     frame.evaluator = Evaluator::power;
     const Drawn after = drawn(*renderer, scene, frame);
     EXPECT_EQ(after.stats.evaluator, "power");
-    EXPECT_EQ(after.stats.uploadBytesPerFrame, 9U * (2 * 16 * 4 + 16));
+    EXPECT_EQ(after.stats.uploadBytesPerFrame, 9U * 16 + 2 * 16 * 4);
     EXPECT_LT(compare(before, after.picture).meanShaded, 0.01);
     EXPECT_EQ(bytesOfNextFrame(), 0U);
 }
@@ -138,6 +140,19 @@ TEST_F(Sync, DrawsTheLaterOfTwoChangesThatCameBeforeAFrame)
     const Picture twice = drawn(*renderer, scene, frame).picture;
     ASSERT_TRUE(renderer->sync(Scene()));
     EXPECT_LT(compare(twice, drawn(*renderer, scene, frame).picture).meanShaded, 0.02);
+}
+
+// A corner torn from its neighbours: the borders follow with the sync after it.
+TEST_F(Sync, LooksForBordersLaterWhereJoinsWereKept)
+{
+    SetUpScene();
+    const ObjectId id = scene.objects().begin()->first;
+    const std::uint64_t record = sizeof(gpu::SurfaceRecord);
+    moveControlPoint(id, {3, 3}, {0, 0, 0.3});
+    ASSERT_TRUE(renderer->sync(scene, Joins::kept));
+    EXPECT_EQ(renderer->draw(frame)->uploadBytesPerFrame, 16U + record);
+    EXPECT_GT(bytesOfNextFrame(), 0U);
+    EXPECT_EQ(bytesOfNextFrame(), 0U);
 }
 
 TEST_F(Sync, PicksTheObjectThatThePictureShowsThoughAnotherIsGoneSince)

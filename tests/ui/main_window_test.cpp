@@ -37,6 +37,37 @@ TEST(MainWindow, ItsGrabShowsTheModel)
     EXPECT_EQ(window->message(), QString());
 }
 
+// Macri's uniform grids, which a key makes finer and another coarser.
+TEST(MainWindow, PlusAndMinusChangeTheCellsOfThePathCpu)
+{
+    Answers answers;
+    const auto window = shownWindow(answers, "torus");
+    KNOTSPAN_NEED_RENDERER(*window);
+    auto* more = window->action("view.moreCells");
+    auto* fewer = window->action("view.fewerCells");
+    ASSERT_NE(more, nullptr);
+    ASSERT_NE(fewer, nullptr);
+    EXPECT_FALSE(more->isEnabled());
+    Frame frame = window->viewport().frame();
+    frame.path = PathId::cpu;
+    window->viewport().setFrame(frame);
+    EXPECT_TRUE(more->isEnabled());
+    const auto cells = [&] {
+        const SamplingRule rule = window->viewport().frame().sampling;
+        return rule.kind == SamplingRule::Kind::fixed ? rule.count : 0;
+    };
+    more->trigger();
+    const int first = cells();
+    EXPECT_GT(first, 0);
+    more->trigger();
+    EXPECT_EQ(cells(), first + 1);
+    for (int k = 0; k < 100; ++k)
+        fewer->trigger();
+    EXPECT_EQ(cells(), 1);
+    EXPECT_TRUE(settle(*window));
+    EXPECT_EQ(window->message(), QString());
+}
+
 // Issue "first light", what it must show, point 3.
 TEST(MainWindow, OpensSwitchesDragsUndoesSavesAndReopens)
 {

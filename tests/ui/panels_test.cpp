@@ -5,6 +5,7 @@
 #include <QDoubleSpinBox>
 #include <QListView>
 #include <QSlider>
+#include <QSpinBox>
 #include <QStandardItemModel>
 #include <QToolButton>
 
@@ -95,8 +96,39 @@ TEST(RenderingPanel, ToleranceIsGreyedWithTheReasonWhereThePathDoesNotFollowIt)
     if (viewport.renderer() == nullptr)
         GTEST_SKIP() << "no Vulkan device here";
     usePath(viewport, PathId::mesh9x9);
-    EXPECT_EQ(controls.front()->toolTip().contains("Choose the path tessellation"),
-              viewport.renderer()->whyUnavailable(PathId::tessellation).empty());
+    const PathInfo& best = pathInfo(viewport.renderer()->bestPath());
+    ASSERT_TRUE(best.followsTolerance);
+    EXPECT_TRUE(controls.front()->toolTip().contains("Choose the path " + QString::fromStdString(best.name)));
+}
+
+// Rules that the path cannot follow are greyed, and another path takes its own rule instead of one that it
+// cannot.
+TEST(RenderingPanel, OffersTheSamplingRulesThatThePathCanFollow)
+{
+    Document document;
+    Selection selection;
+    Viewport viewport(document, selection);
+    const RenderingPanel panel(viewport);
+    auto* sampling = panel.findChild<QComboBox*>("sampling");
+    auto* cells = panel.findChild<QSpinBox*>("sampling-cells");
+    const auto* items = qobject_cast<QStandardItemModel*>(sampling->model());
+    const auto choose = [&](const char* name) {
+        sampling->setCurrentText(name);
+        Q_EMIT sampling->activated(sampling->currentIndex());
+    };
+    usePath(viewport, PathId::tessellation);
+    EXPECT_TRUE(items->item(sampling->findText("bound"))->isEnabled());
+    EXPECT_FALSE(cells->isEnabled());
+    choose("fixed");
+    cells->setValue(5);
+    EXPECT_EQ(name(viewport.frame().sampling), "fixed:5");
+    choose("bound");
+    EXPECT_EQ(name(viewport.frame().sampling), "bound");
+    auto* path = panel.findChild<QComboBox*>("path");
+    path->setCurrentText("surface");
+    Q_EMIT path->activated(path->currentIndex());
+    EXPECT_EQ(viewport.frame().sampling, SamplingRule{});
+    EXPECT_FALSE(items->item(sampling->findText("bound"))->isEnabled());
 }
 
 TEST(RenderingPanel, SliderBoxAndPresetsShowOneTolerance)

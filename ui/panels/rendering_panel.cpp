@@ -1,5 +1,6 @@
 #include "ui/panels/rendering_panel.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -12,6 +13,7 @@
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QSpinBox>
 #include <QStandardItemModel>
 #include <QToolButton>
 
@@ -84,6 +86,7 @@ RenderingPanel::RenderingPanel(Viewport& viewport, QWidget* parent) : QWidget(pa
     layout->addRow(tr("&Path"), makePathPicker());
     layout->addRow(tr("&Shading"), makeShadingPicker());
     layout->addRow(tr("Tolerance"), makeTolerance());
+    layout->addRow(tr("Sa&mpling"), makeSamplingPicker());
     layout->addRow(tr("Culling"), makeCulling());
     layout->addRow(tr("&Evaluator"), makeEvaluatorPicker());
     connect(&viewport_, &Viewport::rendererChanged, this, &RenderingPanel::fillPaths);
@@ -100,7 +103,11 @@ QWidget* RenderingPanel::makePathPicker()
     for (const PathInfo& info : paths())
         path_->addItem(text(info.name), static_cast<int>(info.id));
     connect(path_, &QComboBox::activated, this, [this](int row) {
-        change([&](Frame& frame) { frame.path = static_cast<PathId>(path_->itemData(row).toInt()); });
+        change([&](Frame& frame) {
+            frame.path = static_cast<PathId>(path_->itemData(row).toInt());
+            if (!pathInfo(frame.path).follows(frame.sampling))
+                frame.sampling = {};
+        });
     });
     return path_;
 }
@@ -118,6 +125,37 @@ QWidget* RenderingPanel::makeShadingPicker()
         change([&](Frame& frame) { frame.shading = static_cast<Shading>(shading_->itemData(row).toInt()); });
     });
     return shading_;
+}
+
+QWidget* RenderingPanel::makeSamplingPicker()
+{
+    auto* box = new QWidget(this);
+    sampling_ = new QComboBox(box);
+    sampling_->setObjectName("sampling");
+    describe(sampling_, tr("Sampling"), tr("What decides how finely each KSQuad is cut"));
+    sampling_->addItem(tr("the path's own"), static_cast<int>(SamplingRule::Kind::pathDefault));
+    for (const SamplingRuleInfo& rule : samplingRules()) {
+        sampling_->addItem(text(rule.name), static_cast<int>(rule.kind));
+        sampling_->setItemData(sampling_->count() - 1, text(rule.description), Qt::ToolTipRole);
+    }
+    cells_ = new QSpinBox(box);
+    cells_->setObjectName("sampling-cells");
+    cells_->setRange(1, 64);
+    cells_->setValue(8);
+    describe(cells_, tr("Cells"), tr("Cells along each side, for the rule fixed"));
+    const auto apply = [this] {
+        change([&](Frame& frame) {
+            const auto kind = static_cast<SamplingRule::Kind>(sampling_->currentData().toInt());
+            frame.sampling = {kind, kind == SamplingRule::Kind::fixed ? cells_->value() : 0};
+        });
+    };
+    connect(sampling_, &QComboBox::activated, this, apply);
+    connect(cells_, &QSpinBox::valueChanged, this, apply);
+    auto* row = new QHBoxLayout(box);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->addWidget(sampling_, 1);
+    row->addWidget(cells_);
+    return box;
 }
 
 QWidget* RenderingPanel::makeEvaluatorPicker()
@@ -236,7 +274,30 @@ void RenderingPanel::showFrame()
     tolerance_->setValue(frame.tolerancePx);
     for (size_t preset = 0; preset < presets_.size(); ++preset)
         presets_[preset]->setChecked(std::abs(frame.tolerancePx - kPresets[preset].tolerancePx) < 1e-9);
+    showSampling(frame);
     showWhetherToleranceCounts(frame.path);
+}
+
+void RenderingPanel::showSampling(const Frame& frame)
+{
+    const PathInfo& path = pathInfo(frame.path);
+    auto* items = qobject_cast<QStandardItemModel*>(sampling_->model());
+    for (int row = 0; row < sampling_->count(); ++row) {
+        const auto kind = static_cast<SamplingRule::Kind>(sampling_->itemData(row).toInt());
+        const bool possible = std::any_of(path.rules.begin(), path.rules.end(),
+                                          [&](const SamplingRule& rule) { return rule.kind == kind; });
+        items->item(row)->setEnabled(possible || kind == SamplingRule::Kind::pathDefault);
+    }
+    sampling_->setCurrentIndex(sampling_->findData(static_cast<int>(frame.sampling.kind)));
+    const auto own = std::find_if(path.rules.begin(), path.rules.end(), [](const SamplingRule& rule) {
+        return rule.kind == SamplingRule::Kind::fixed;
+    });
+    const bool onlyOne = own != path.rules.end() && own->count != 0;
+    const bool fixed = frame.sampling.kind == SamplingRule::Kind::fixed;
+    const QSignalBlocker quiet(cells_);
+    cells_->setEnabled(fixed && !onlyOne);
+    if (fixed || onlyOne)
+        cells_->setValue(onlyOne ? own->count : frame.sampling.count);
 }
 
 void RenderingPanel::showWhetherToleranceCounts(PathId path)

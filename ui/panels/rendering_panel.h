@@ -1,4 +1,4 @@
-// How the model is drawn: path, culling, shading, tolerance and evaluator, filled from the renderer's lists.
+// How the model is drawn: path, culling, shading, tolerance, sampling and evaluator, filled from the renderer's lists.
 #pragma once
 
 #include <utility>
@@ -12,6 +12,7 @@ class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QSlider;
+class QSpinBox;
 class QToolButton;
 
 namespace knotspan {
@@ -25,11 +26,13 @@ public:
 private:
     QWidget* makePathPicker();
     QWidget* makeShadingPicker();
+    QWidget* makeSamplingPicker();
     QWidget* makeEvaluatorPicker();
     QWidget* makeCulling();
     QWidget* makeTolerance();
     void fillPaths();
     void showFrame();
+    void showSampling(const Frame& frame);
     void showWhetherToleranceCounts(PathId path);
 
     template <class Change>
@@ -43,6 +46,8 @@ private:
     Viewport& viewport_;
     QComboBox* path_ = nullptr;
     QComboBox* shading_ = nullptr;
+    QComboBox* sampling_ = nullptr;
+    QSpinBox* cells_ = nullptr;  // of the rule `fixed`
     QComboBox* evaluator_ = nullptr;
     std::vector<QCheckBox*> culling_;
     QSlider* slider_ = nullptr;

@@ -1,13 +1,11 @@
-// A drawing of measurements: markers over two logarithmic axes, with a legend, as SVG.
+// A drawing of measurements: markers over two logarithmic axes, curves through some of them, a legend.
 #pragma once
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
-class QIODevice;
-
-namespace knotspan::app {
+namespace knotspan {
 
 enum class MarkerShape : std::uint8_t { circle, square };
 
@@ -26,6 +24,14 @@ struct Marker {
     std::string text;  // of its tooltip
 };
 
+// A line from marker to marker.
+struct Curve {
+    std::vector<size_t> markers;  // indices
+    std::string colour;
+    bool dashed = false;
+    bool strong = false;
+};
+
 struct LegendEntry {
     MarkerLook look;
     std::string text;
@@ -37,14 +43,13 @@ struct Plot {
     std::string xLabel;
     std::string yLabel;
     std::vector<Marker> markers;
+    std::vector<Curve> curves;
     std::vector<LegendEntry> legend;
 };
 
 // The k-th of colours that people who see few colours tell apart, too (Okabe and Ito, 2008); after the last
 // one the first comes again.
 [[nodiscard]] std::string plotColour(size_t k);
+[[nodiscard]] size_t plotColourCount();
 
-// Each marker is a group of class `marker`. False where the device refused something.
-[[nodiscard]] bool writeSvg(const Plot& plot, QIODevice& device);
-
-}  // namespace knotspan::app
+}  // namespace knotspan

@@ -1,4 +1,4 @@
-#include "app/deformation.h"
+#include "model/scene/deformation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include "model/core/check.h"
 
-namespace knotspan::app {
+namespace knotspan {
 namespace {
 
 constexpr double kAmplitude = 0.01;  // of the model's size
@@ -39,16 +39,11 @@ SharedObject withMovedMiddle(const SceneObject& object, double distance)
     return withControlPoints(object, std::move(points));
 }
 
-SharedObject withWave(const SceneObject& object, const Box& bounds, double time)
+SharedObject withWave(const SceneObject& object, const Wave& wave)
 {
-    const double size = bounds.diagonal();
     std::vector<ControlPoint> points = object.surface.controlPoints();
-    for (ControlPoint& point : points) {
-        const Vec3 place = transformed(point.position, object.transform) - bounds.low;
-        const double phase = 2 * M_PI * kWavesAcross * (place.x + place.y) / size;
-        const double distance = kAmplitude * size * (std::sin(phase + time) - std::sin(phase));
-        point.position += alongZ(object, distance);
-    }
+    for (ControlPoint& point : points)
+        point.position += alongZ(object, wave.distanceAt(transformed(point.position, object.transform)));
     return withControlPoints(object, std::move(points));
 }
 
@@ -69,24 +64,51 @@ std::optional<Deformation> findDeformation(const std::string& name)
     return static_cast<Deformation>(found - names.begin());
 }
 
+double Wave::distanceAt(const Vec3& place) const
+{
+    const double phase = phasePerUnit * (place.x + place.y) - phaseAtZero;
+    return amplitude * (std::sin(phase + time) - std::sin(phase));
+}
+
+std::optional<Wave> waveAt(const Scene& rest, Deformation deformation, int frame)
+{
+    const Box bounds = rest.bounds();
+    const double size = bounds.diagonal();
+    if (deformation != Deformation::all || frame == 0 || size == 0)
+        return std::nullopt;
+    const double perUnit = 2 * M_PI * kWavesAcross / size;
+    return Wave{kAmplitude * size, perUnit, perUnit * (bounds.low.x + bounds.low.y),
+                2 * M_PI * frame / kFramesPerWave};
+}
+
 Scene deformed(const Scene& rest, Deformation deformation, int frame)
 {
     Scene scene = rest;
-    const Box bounds = rest.bounds();
-    if (deformation == Deformation::none || frame == 0 || bounds.diagonal() == 0)
+    if (const auto wave = waveAt(rest, deformation, frame)) {
+        for (const auto& [id, object] : rest.objects())
+            if (object->visible)
+                scene.exchange(id, withWave(*object, *wave));
         return scene;
-    const double time = 2 * M_PI * frame / kFramesPerWave;
+    }
+    const double size = rest.bounds().diagonal();
+    if (deformation != Deformation::point || frame == 0 || size == 0)
+        return scene;
     for (const auto& [id, object] : rest.objects()) {
         if (!object->visible)
             continue;
-        if (deformation == Deformation::all) {
-            scene.exchange(id, withWave(*object, bounds, time));
-            continue;
-        }
-        scene.exchange(id, withMovedMiddle(*object, kAmplitude * bounds.diagonal() * std::sin(time)));
+        scene.exchange(
+            id, withMovedMiddle(*object, kAmplitude * size * std::sin(2 * M_PI * frame / kFramesPerWave)));
         break;
     }
     return scene;
 }
 
-}  // namespace knotspan::app
+DeformedScene deformedFor(bool wavesOnDevice, const Scene& rest, Deformation deformation, int frame)
+{
+    const auto wave = waveAt(rest, deformation, frame);
+    if (wavesOnDevice && wave)
+        return {rest, wave, Joins::anew};
+    return {deformed(rest, deformation, frame), std::nullopt, wave ? Joins::kept : Joins::anew};
+}
+
+}  // namespace knotspan

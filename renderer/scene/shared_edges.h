@@ -1,0 +1,39 @@
+// The tables by which neighbours draw the same vertices along their common borders
+// (shaders/shared/borders.glsl), made from where the borders of surfaces run together.
+#pragma once
+
+#include <optional>
+
+#include "model/analysis/coincident_edges.h"
+#include "shaders/shared/layouts.h"
+
+namespace knotspan {
+
+struct BorderTables {
+    std::vector<gpu::BorderSide> sides;  // borderSideIndex()
+    std::vector<std::uint32_t> corners;  // borderCornerIndex(): 4 KSQuad + corner that owns the point
+    std::vector<gpu::BorderPiece> pieces;
+    std::vector<gpu::BorderUse> uses;
+};
+
+class SharedEdges {
+public:
+    explicit SharedEdges(const std::vector<PlacedSurface>& surfaces = {});
+
+    // The result is as if all were made anew, to the bit. Returns the tables as they were before, or nothing
+    // where no border moved: they stay as they are.
+    std::optional<BorderTables> update(const std::vector<CoincidentEdges::Change>& changes);
+
+    [[nodiscard]] const BorderTables& tables() const { return tables_; }
+
+private:
+    void makeTables();
+    void addPieces(std::uint32_t side, const CoincidentEdge& edge, std::uint32_t firstUse);
+    void addUses(const CoincidentEdge& edge);
+
+    CoincidentEdges edges_;
+    std::vector<std::uint32_t> names_;  // 4 KSQuad + side, by border side
+    BorderTables tables_;
+};
+
+}  // namespace knotspan

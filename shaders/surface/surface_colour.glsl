@@ -1,0 +1,33 @@
+// What the fragment stages write, and what their colours have in common.
+layout(location = 0) out vec4 outColour;   // sRGB, encoded here
+layout(location = 1) out uint outSurface;  // index + 1, for picking
+
+// Where a place on a triangle is: inside which KSQuad. A triangle of a whole surface lies on several.
+struct PixelPlace {
+    uint ksquad;
+    vec2 t;
+};
+
+PixelPlace pixelPlace(vec2 t)
+{
+    if ((frame.flags & FRAME_SPANS) == 0u)
+        return PixelPlace(inKsquad, t);
+    uint surface = ksquads[inKsquad].surface;
+    vec2 spans = vec2(surfaces[surface].spansU, surfaces[surface].spansV);
+    vec2 before = clamp(floor(t), vec2(0.0), spans - 1.0);
+    return PixelPlace(surfaces[surface].firstKsquad + uint(before.x) * surfaces[surface].spansV + uint(before.y),
+                      t - before);
+}
+
+vec3 encodedSrgb(vec3 linear)
+{
+    linear = clamp(linear, 0.0, 1.0);
+    return mix(1.055 * pow(linear, vec3(1.0 / 2.4)) - 0.055, 12.92 * linear, lessThan(linear, vec3(0.0031308)));
+}
+
+// How much of a line of about 1.5 pixels along the KSQuad's border covers this pixel.
+float knotLine(vec2 t)
+{
+    vec2 pixels = min(t, 1.0 - t) / max(fwidth(inT), vec2(1e-9));
+    return 1.0 - smoothstep(0.4, 1.3, min(pixels.x, pixels.y));
+}

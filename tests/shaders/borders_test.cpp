@@ -1,0 +1,301 @@
+// The text by which the shaders choose vertices along edges, compiled as C++, over the tables of real
+// surfaces and random demands.
+#include <array>
+#include <map>
+#include <random>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include "model/geometry/evaluation.h"
+#include "model/samples/samples.h"
+#include "renderer/scene/shared_edges.h"
+#include "shaders/shared/borders.glsl"
+#include "tests/joined_surfaces.h"
+
+namespace knotspan::testing {
+namespace {
+
+// What the stages read, from memory.
+struct BorderSource {
+    const BorderTables* tables = nullptr;
+    std::vector<gpu::SurfaceRecord> surfaces;
+    std::vector<gpu::KsQuadRecord> ksquads;
+    std::vector<gpu::GridRecord> grids;
+
+    [[nodiscard]] const gpu::SurfaceRecord& surface(std::uint32_t k) const { return surfaces.at(k); }
+    [[nodiscard]] const gpu::KsQuadRecord& ksquad(std::uint32_t k) const { return ksquads.at(k); }
+    [[nodiscard]] const gpu::GridRecord& grid(std::uint32_t k) const { return grids.at(k); }
+    [[nodiscard]] const gpu::BorderSide& borderSide(std::uint32_t k) const { return tables->sides.at(k); }
+    [[nodiscard]] std::uint32_t borderCorner(std::uint32_t k) const { return tables->corners.at(k); }
+    [[nodiscard]] const gpu::BorderPiece& borderPiece(std::uint32_t k) const { return tables->pieces.at(k); }
+    [[nodiscard]] const gpu::BorderUse& borderUse(std::uint32_t k) const { return tables->uses.at(k); }
+};
+
+struct Model {
+    explicit Model(std::vector<PlacedSurface> placedSurfaces)
+        : placed(std::move(placedSurfaces)),
+          edges(placed)
+    {
+        source.tables = &edges.tables();
+        for (const BorderNumbers& numbers : borderNumbers(placed)) {
+            gpu::SurfaceRecord record{};
+            record.firstKsquad = numbers.firstKsquad;
+            record.spansU = numbers.spansU;
+            record.spansV = numbers.spansV;
+            record.firstBorder = numbers.firstBorder;
+            for (std::uint32_t k = 0; k < numbers.spansU * numbers.spansV; ++k)
+                source.ksquads.push_back({static_cast<std::uint32_t>(source.surfaces.size()), 0, 0, 0});
+            source.surfaces.push_back(record);
+        }
+    }
+    Model(const Model&) = delete;
+    Model& operator=(const Model&) = delete;
+
+    [[nodiscard]] Vec3 pointAt(std::uint32_t ksquad, const gpu::vec2& t) const
+    {
+        const auto place = gpu::placeOf(source, ksquad);
+        const NurbsSurface& surface = *placed[source.ksquads[ksquad].surface].surface;
+        const auto at = [](const KnotVector& knots, std::uint32_t span, double x) {
+            const int k = knots.spans()[span];
+            return knots[k] + x * (knots[k + 1] - knots[k]);
+        };
+        return evaluate(surface, at(surface.knotsU(), place.a, t.x), at(surface.knotsV(), place.b, t.y))
+            .position;
+    }
+
+    std::vector<PlacedSurface> placed;
+    SharedEdges edges;
+    BorderSource source;
+};
+
+// Asked alike on opposite sides, as the bound does, or differently; some KSQuads are not drawn.
+void ask(Model& model, std::mt19937& random, bool alike, std::uint32_t most)
+{
+    std::uniform_int_distribution<std::uint32_t> cells(1, most);
+    model.source.grids.clear();
+    for (size_t k = 0; k < model.source.ksquads.size(); ++k) {
+        const std::uint32_t u = cells(random);
+        const std::uint32_t v = cells(random);
+        gpu::GridRecord grid =
+            alike ? gpu::gridRecord(v, v, u, u) : gpu::gridRecord(v, cells(random), u, cells(random));
+        if (random() % 8 == 0)
+            grid = {};
+        model.source.grids.push_back(grid);
+    }
+}
+
+template <class Check>
+void forAllModels(const Check& look)
+{
+    for (auto make : {makeSingle100, makeNine16, makeTorus, makeSphere, makeHull}) {
+        const Scene scene = make();
+        Model model(placed(scene));
+        look(scene.objects().begin()->second->name, model);
+    }
+    for (const Joined& joined : joinedSurfaces()) {
+        Model model(placed(joined.surfaces));
+        look(joined.name, model);
+    }
+}
+
+using Line = std::vector<gpu::GridVertex>;
+
+bool isSamePoint(const gpu::GridVertex& a, const gpu::GridVertex& b)
+{
+    return a.source == b.source && a.sourceT == b.sourceT;
+}
+
+// The border vertices of a drawn grid along one side, each once.
+Line drawnAlong(const Model& model, std::uint32_t ksquad, std::uint32_t side, std::uint32_t snap)
+{
+    const auto grid = gpu::drawnGrid(model.source, ksquad, snap);
+    const bool alongV = side < SIDE_START_V;
+    const std::uint32_t across = (side & 1U) == 0 ? 0 : (alongV ? grid.u : grid.v);
+    Line line;
+    for (std::uint32_t k = 0; k <= (alongV ? grid.v : grid.u); ++k) {
+        const auto vertex = alongV ? gpu::gridVertex(model.source, ksquad, grid, across, k, snap)
+                                   : gpu::gridVertex(model.source, ksquad, grid, k, across, snap);
+        if (line.empty() || !isSamePoint(line.back(), vertex))
+            line.push_back(vertex);
+    }
+    return line;
+}
+
+void expectSame(const Line& a, Line b, bool reversed)
+{
+    if (reversed)
+        std::reverse(b.begin(), b.end());
+    ASSERT_EQ(a.size(), b.size());
+    for (size_t k = 0; k < a.size(); ++k)
+        ASSERT_TRUE(isSamePoint(a[k], b[k])) << "vertex " << k << " of " << a.size();
+}
+
+// Pieces by whose points they are and where; each line from the owner's lower t on.
+using Pieces = std::map<std::array<float, 3>, std::vector<Line>>;
+
+void cutIntoPieces(const Model& model, const gpu::BorderSide& border, const Line& line, Pieces& pieces)
+{
+    size_t first = 0;
+    const std::uint32_t count = border.flags >> BORDER_COUNT_SHIFT;
+    for (std::uint32_t k = 0; k < count; ++k) {
+        const gpu::BorderPiece piece = model.source.borderPiece(border.other + k);
+        const bool isLast = k + 1 == count;
+        size_t last = line.size() - 1;
+        if (!isLast) {
+            const std::uint32_t corner = model.source.borderPiece(border.other + k + 1).corner;
+            for (last = first + 1; last < line.size(); ++last)
+                if (line[last].source == corner / 4 &&
+                    line[last].sourceT == gpu::cornerParameters(corner & 3U))
+                    break;
+            ASSERT_LT(last, line.size()) << "the line goes through the corner between its pieces";
+        }
+        Line part(line.begin() + static_cast<std::ptrdiff_t>(first),
+                  line.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+        if (piece.ownerStart > piece.ownerEnd)
+            std::reverse(part.begin(), part.end());
+        pieces[{static_cast<float>(piece.owner), std::min(piece.ownerStart, piece.ownerEnd),
+                std::max(piece.ownerStart, piece.ownerEnd)}]
+            .push_back(std::move(part));
+        first = last;
+    }
+}
+
+void lookAtEdges(const Model& model, std::uint32_t snap)
+{
+    Pieces pieces;
+    for (std::uint32_t ksquad = 0; ksquad < model.source.ksquads.size(); ++ksquad)
+        for (std::uint32_t side = 0; side < 4; ++side) {
+            SCOPED_TRACE("KSQuad " + std::to_string(ksquad) + " side " + std::to_string(side));
+            const Line line = drawnAlong(model, ksquad, side, snap);
+            for (const auto& vertex : line)
+                ASSERT_LT(glm::distance(model.pointAt(ksquad, vertex.t),
+                                        model.pointAt(vertex.source, vertex.sourceT)),
+                          1e-5);
+            const auto place = gpu::placeOf(model.source, ksquad);
+            const std::uint32_t inner = gpu::innerNeighbour(place, ksquad, side);
+            if (inner != NO_SIDE) {
+                expectSame(line, drawnAlong(model, inner / 4, inner & 3U, snap), false);
+                continue;
+            }
+            const auto border = model.source.borderSide(gpu::borderSideIndex(place, side));
+            const std::uint32_t kind = border.flags & BORDER_KIND;
+            if (kind == BORDER_WHOLE)
+                expectSame(line, drawnAlong(model, border.other / 4, border.other & 3U, snap),
+                           (border.flags & BORDER_REVERSED) != 0);
+            if (kind == BORDER_COLLAPSED) {
+                ASSERT_EQ(line.size(), 1U);
+            }
+            if (kind == BORDER_PIECES)
+                cutIntoPieces(model, border, line, pieces);
+        }
+    for (const auto& [name, lines] : pieces)
+        for (const Line& line : lines)
+            expectSame(lines.front(), line, false);
+}
+
+TEST(Borders, EdgesHaveTheSameVerticesFromAllSides)
+{
+    std::mt19937 random(1);
+    forAllModels([&](const std::string& name, Model& model) {
+        for (int trial = 0; trial < 12; ++trial)
+            for (const std::uint32_t snap : {SNAP_FALLING, SNAP_NEAREST}) {
+                SCOPED_TRACE(name + ", trial " + std::to_string(trial) + ", snap " + std::to_string(snap));
+                ask(model, random, trial % 2 == 0, trial < 6 ? 5 : 40);
+                ASSERT_NO_FATAL_FAILURE(lookAtEdges(model, snap));
+            }
+    });
+}
+
+struct Triangles {
+    double area = 0;
+    double least = 1;     // signed area of one
+    glm::dvec2 box{0.0};  // the widest and the tallest
+};
+
+void add(Triangles& triangles, const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
+{
+    const double area = ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / 2;
+    triangles.area += area;
+    triangles.least = std::min(triangles.least, area);
+    if (std::abs(area) > 1e-12)
+        triangles.box = glm::max(triangles.box, glm::max(a, glm::max(b, c)) - glm::min(a, glm::min(b, c)));
+}
+
+// Of a KSQuad's drawn grid, its cells cut from (1, 0) to (0, 1) or from (0, 0) to (1, 1).
+Triangles trianglesOf(const Model& model, std::uint32_t ksquad, std::uint32_t snap, bool falling)
+{
+    const auto grid = gpu::drawnGrid(model.source, ksquad, snap);
+    const auto at = [&](std::uint32_t i, std::uint32_t j) {
+        return glm::dvec2(gpu::gridVertex(model.source, ksquad, grid, i, j, snap).t);
+    };
+    Triangles triangles;
+    for (std::uint32_t i = 0; i < grid.u; ++i)
+        for (std::uint32_t j = 0; j < grid.v; ++j)
+            if (falling) {
+                add(triangles, at(i, j), at(i + 1, j), at(i, j + 1));
+                add(triangles, at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+            } else {
+                add(triangles, at(i, j), at(i + 1, j), at(i + 1, j + 1));
+                add(triangles, at(i, j), at(i + 1, j + 1), at(i, j + 1));
+            }
+    return triangles;
+}
+
+void lookAtTriangles(const Model& model, std::uint32_t snap, bool falling)
+{
+    for (std::uint32_t ksquad = 0; ksquad < model.source.ksquads.size(); ++ksquad) {
+        const gpu::GridRecord asked = model.source.grids[ksquad];
+        if (asked.alongU == 0)
+            continue;
+        SCOPED_TRACE("KSQuad " + std::to_string(ksquad));
+        const Triangles triangles = trianglesOf(model, ksquad, snap, falling);
+        ASSERT_NEAR(triangles.area, 1, 1e-5);
+        ASSERT_GE(triangles.least, -1e-7);
+        // But for the rounding of parameters.
+        const auto largest = [](std::uint32_t both) {
+            return 1e-6 + 1.0 / std::min(both & 0xffffU, both >> 16U);
+        };
+        ASSERT_LE(triangles.box.x, largest(asked.alongU));
+        ASSERT_LE(triangles.box.y, largest(asked.alongV));
+    }
+}
+
+TEST(Borders, TrianglesCoverTheirKsQuadOnceAndAreNoLargerThanAsked)
+{
+    std::mt19937 random(2);
+    forAllModels([&](const std::string& name, Model& model) {
+        for (int trial = 0; trial < 12; ++trial)
+            for (const bool falling : {true, false})
+                for (const std::uint32_t snap : {SNAP_FALLING, SNAP_NEAREST}) {
+                    if (snap == SNAP_FALLING && !falling)
+                        continue;
+                    SCOPED_TRACE(name + ", trial " + std::to_string(trial) + ", snap " +
+                                 std::to_string(snap) + (falling ? ", falling" : ", rising"));
+                    ask(model, random, trial % 2 == 0, trial < 6 ? 5 : 40);
+                    ASSERT_NO_FATAL_FAILURE(lookAtTriangles(model, snap, falling));
+                }
+    });
+}
+
+TEST(Borders, EdgesCutAtRandomHaveTheSameVerticesFromAllSides)
+{
+    std::mt19937 random(3);
+    for (int trial = 0; trial < 40; ++trial) {
+        const Joined joined = randomRows(random);
+        Model model(placed(joined.surfaces));
+        ASSERT_FALSE(model.edges.tables().pieces.empty());
+        for (const std::uint32_t snap : {SNAP_FALLING, SNAP_NEAREST}) {
+            SCOPED_TRACE("trial " + std::to_string(trial) + ", snap " + std::to_string(snap));
+            ask(model, random, trial % 2 == 0, trial % 4 == 0 ? 30 : 4);
+            ASSERT_NO_FATAL_FAILURE(lookAtEdges(model, snap));
+            ASSERT_NO_FATAL_FAILURE(lookAtTriangles(model, snap, true));
+            if (snap == SNAP_NEAREST) {
+                ASSERT_NO_FATAL_FAILURE(lookAtTriangles(model, snap, false));
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace knotspan::testing

@@ -1,0 +1,33 @@
+// A logarithmic axis over whole decades.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace knotspan {
+
+class PlotAxis {
+public:
+    // Holds all `values` above 0, from the pixel `start` to `end`.
+    PlotAxis(const std::vector<double>& values, double start, double end);
+
+    // A value of 0 is at the start.
+    [[nodiscard]] double pixel(double value) const;
+
+    struct Tick {
+        double value;
+        bool labelled;
+    };
+    [[nodiscard]] std::vector<Tick> ticks() const;
+
+private:
+    double start_;
+    double end_;
+    int low_;
+    int high_;
+};
+
+// 0.01, 20, 1e-7, 1e6
+[[nodiscard]] std::string tickText(double value);
+
+}  // namespace knotspan
