@@ -47,7 +47,8 @@ struct Frame {
     double tolerancePx = 0.5;
     Evaluator evaluator = Evaluator::automatic;  // by the largest degree that shows
     Shading shading = Shading::shaded;
-    std::optional<Wave> wave;  // moves control points on the device; paths that do not draw from there stay at rest
+    std::optional<Wave>
+        wave;  // moves control points on the device; paths that do not draw from there stay at rest
     Overlays overlays;
 };
 

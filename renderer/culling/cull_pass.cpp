@@ -27,8 +27,7 @@ void CullPass::prepare(std::uint32_t ksquads, const Specialization& specializati
 {
     specialization_ = specialization;
     if (cull_.count(specialization) == 0)
-        cull_[specialization] =
-            makeComputePipeline(device_, bindings_, "cull.comp", specialization);
+        cull_[specialization] = makeComputePipeline(device_, bindings_, "cull.comp", specialization);
     ksquads_ = ksquads;
     const VkDeviceSize groups = (ksquads + CULL_KSQUADS - 1) / CULL_KSQUADS;
     bindings_.provide(BINDING_VISIBLE, visible_, VkDeviceSize{ksquads} * sizeof(std::uint32_t));

@@ -39,7 +39,7 @@ std::string bytesText(std::uint64_t bytes)
 struct AsText {
     const StatField& field;
 
-    std::string operator()(std::monostate) const { return "not measured"; }
+    std::string operator()(std::monostate) const { return field.unit.empty() ? "none" : "not measured"; }
     std::string operator()(const std::string& text) const { return text; }
     std::string operator()(const std::vector<std::string>& words) const
     {

@@ -48,7 +48,7 @@ struct FrameStats {
     std::optional<std::uint64_t> leakPixels;  // background seen through a closed model (leak_count.h)
 };
 
-// Empty (the first kind): not measured. JSON leaves the key out then.
+// Empty (the first kind): not measured, or not of this path. JSON leaves the key out then.
 using StatValue = std::variant<std::monostate, std::string, std::vector<std::string>, double, std::uint64_t,
                                Spread, std::array<std::uint64_t, kCullModeCount>>;
 
@@ -65,7 +65,8 @@ struct StatField {
 // and the most that any later one sent, counts and errors of the last frame. At least one frame.
 [[nodiscard]] FrameStats combined(const std::vector<FrameStats>& frames);
 
-// The value as a person reads it: 15,000; 3.2 / 3.4 / 5.0 ms; 1.5 MB; "not measured".
+// The value as a person reads it: 15,000; 3.2 / 3.4 / 5.0 ms; 1.5 MB; "not measured", or "none" of
+// what has no unit.
 [[nodiscard]] std::string display(const StatField& field, const FrameStats& stats);
 
 // The whole as one JSON object.

@@ -1,4 +1,5 @@
-// How the model is drawn: path, culling, shading, tolerance, sampling and evaluator, filled from the renderer's lists.
+// How the model is drawn: path, culling, shading, tolerance, sampling and evaluator, filled from the
+// renderer's lists.
 #pragma once
 
 #include <utility>
