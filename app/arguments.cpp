@@ -40,6 +40,16 @@ std::vector<std::string> writableExtensions()
 
 }  // namespace
 
+void addModel(CLI::App& command, std::string& file)
+{
+    command.add_option("FILE", file, "Model to read")->required();
+}
+
+void addJson(CLI::App& command, bool& json)
+{
+    command.add_flag("--json", json, "As one JSON object");
+}
+
 double parseNumber(const std::string& option, const std::string& text)
 {
     const auto value = finiteNumber(text);
@@ -72,14 +82,22 @@ CLI::Validator wholeWithin(int low, int high)
     return {check, ""};
 }
 
+std::vector<std::string> splitAtCommas(const std::string& text)
+{
+    std::vector<std::string> parts;
+    for (size_t start = 0; start <= text.size();) {
+        const size_t comma = std::min(text.find(',', start), text.size());
+        parts.push_back(text.substr(start, comma - start));
+        start = comma + 1;
+    }
+    return parts;
+}
+
 std::vector<double> parseNumbers(const std::string& option, const std::string& text, size_t count)
 {
     std::vector<double> numbers;
-    for (size_t start = 0; start <= text.size();) {
-        const size_t comma = std::min(text.find(',', start), text.size());
-        numbers.push_back(parseNumber(option, text.substr(start, comma - start)));
-        start = comma + 1;
-    }
+    for (const std::string& part : splitAtCommas(text))
+        numbers.push_back(parseNumber(option, part));
     if (numbers.size() != count)
         throw CLI::ValidationError(option, "'" + text + "' should be " + std::to_string(count) +
                                                " numbers with commas between them");
@@ -119,6 +137,15 @@ bool isSameFile(const std::string& a, const std::string& b)
         return std::filesystem::weakly_canonical(path, unknown);
     };
     return !a.empty() && whole(a) == whole(b);
+}
+
+void checkOutput(const std::string& option, const std::string& path, const std::string& extension,
+                 const std::string& model)
+{
+    if (std::filesystem::path(path).extension() != extension)
+        throw CLI::ValidationError(option, "'" + path + "' should end in " + extension);
+    if (isSameFile(path, model))
+        throw CLI::ValidationError(option, "'" + path + "' is the model; choose another file");
 }
 
 std::string joined(const std::vector<std::string>& texts, const std::string& separator)

@@ -11,8 +11,15 @@
 
 namespace knotspan::app {
 
+// FILE, and --json: as in every command that reads a model and prints.
+void addModel(CLI::App& command, std::string& file);
+void addJson(CLI::App& command, bool& json);
+
 // Finite, and nothing before or behind it; `option` is named in the error.
 [[nodiscard]] double parseNumber(const std::string& option, const std::string& text);
+
+// "a,,b" has three parts, "" has one.
+[[nodiscard]] std::vector<std::string> splitAtCommas(const std::string& text);
 
 // "1,-2.5,3e2": exactly `count` numbers.
 [[nodiscard]] std::vector<double> parseNumbers(const std::string& option, const std::string& text,
@@ -36,6 +43,10 @@ struct PixelSize {
 
 // A file to be written must have the extension of a format that can be.
 void checkWritable(const std::string& option, const std::filesystem::path& path);
+
+// A file to be written must end in `extension` (".png") and must not be the model that is read.
+void checkOutput(const std::string& option, const std::string& path, const std::string& extension,
+                 const std::string& model);
 
 // Whether both name one file, by links too; no name names one.
 [[nodiscard]] bool isSameFile(const std::string& a, const std::string& b);

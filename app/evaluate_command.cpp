@@ -160,7 +160,7 @@ void addEvaluateCommand(CLI::App& app, int& exitCode)
 {
     const auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("evaluate", "Evaluate a surface of a model at given parameters");
-    command->add_option("FILE", options->file, "Model to read")->required();
+    addModel(*command, options->file);
     command->add_option("--surface", options->surface, "Which surface, counted from 0")
         ->required()
         ->check(within(0, 1e9))
@@ -169,7 +169,7 @@ void addEvaluateCommand(CLI::App& app, int& exitCode)
         ->required()
         ->allow_extra_args(false)
         ->type_name("U,V");
-    command->add_flag("--json", options->json, "As one JSON object");
+    addJson(*command, options->json);
     command->callback([options, &exitCode] { exitCode = run(*options); });
 }
 

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/arguments.h"
 #include "app/commands.h"
 #include "app/output.h"
 #include "model/analysis/surface_bounds.h"
@@ -128,8 +129,8 @@ void addInfoCommand(CLI::App& app, int& exitCode)
 {
     const auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("info", "Say what a model holds");
-    command->add_option("FILE", options->file, "Model to read")->required();
-    command->add_flag("--json", options->json, "As one JSON object");
+    addModel(*command, options->file);
+    addJson(*command, options->json);
     command->callback([options, &exitCode] { exitCode = run(*options); });
 }
 

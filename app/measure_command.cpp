@@ -153,10 +153,7 @@ Result<void> checkPlot(const MeasureTexts& texts)
 {
     if (!texts.plot)
         return {};
-    if (std::filesystem::path(*texts.plot).extension() != ".svg")
-        throw CLI::ValidationError("--plot", "'" + *texts.plot + "' should end in .svg");
-    if (isSameFile(*texts.plot, texts.file))
-        throw CLI::ValidationError("--plot", "'" + *texts.plot + "' is the model; choose another file");
+    checkOutput("--plot", *texts.plot, ".svg", texts.file);
     return checkPlace(*texts.plot);
 }
 

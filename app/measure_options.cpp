@@ -1,5 +1,7 @@
 #include "app/measure_options.h"
 
+#include "app/drawing_options.h"
+
 namespace knotspan::app {
 namespace {
 
@@ -13,50 +15,13 @@ const std::vector<std::string>& parts()
     return names;
 }
 
-template <class List>
-std::vector<std::string> namesOf(const List& list)
-{
-    std::vector<std::string> names;
-    for (const auto& entry : list)
-        names.push_back(entry.name);
-    return names;
-}
-
-std::vector<std::string> split(const std::string& text)
-{
-    std::vector<std::string> words;
-    for (size_t start = 0; start <= text.size();) {
-        const size_t comma = std::min(text.find(',', start), text.size());
-        words.push_back(text.substr(start, comma - start));
-        start = comma + 1;
-    }
-    return words;
-}
-
-// The values that `find` knows by name, in the order given.
-template <class Find>
-auto parseNames(const std::string& option, const std::string& text, const std::vector<std::string>& known,
-                const Find& find)
-{
-    std::vector<typename decltype(find(text))::value_type> values;
-    for (const std::string& word : split(text)) {
-        const auto found = find(word);
-        if (!found)
-            refuseName(option, word, known);
-        if (std::find(values.begin(), values.end(), *found) != values.end())
-            throw CLI::ValidationError(option, "'" + word + "' is there twice");
-        values.push_back(*found);
-    }
-    return values;
-}
-
 // The coarsest first, as in the curves.
 std::vector<double> parseTolerances(const std::string& text)
 {
     constexpr double kFinest = 0.01;
     constexpr double kCoarsest = 1000;
     std::vector<double> values;
-    for (const std::string& word : split(text)) {
+    for (const std::string& word : splitAtCommas(text)) {
         values.push_back(parseNumber("--tolerances", word));
         if (!(values.back() >= kFinest && values.back() <= kCoarsest))
             throw CLI::ValidationError("--tolerances", "'" + word + "' should be from 0.01 to 1000 pixels");
@@ -77,16 +42,7 @@ std::vector<Evaluator> parseEvaluators(const std::string& text)
     }
     auto known = namesOf(evaluators());
     known.insert(known.begin(), "all");
-    return parseNames("--evaluators", text, known,
-                      [](const std::string& word) { return findEvaluator(word); });
-}
-
-CullSet conservativeModes()
-{
-    CullSet set;
-    for (size_t mode = 0; mode < cullModes().size(); ++mode)
-        set.set(static_cast<int>(mode), cullModes()[mode].conservative);
-    return set;
+    return parseNames("--evaluators", text, known, findEvaluator);
 }
 
 std::vector<PathId> allPaths()
@@ -101,27 +57,25 @@ std::vector<PathId> allPaths()
 
 void addMeasureOptions(CLI::App& command, MeasureTexts& texts)
 {
-    const CLI::Validator notEmpty(
-        [](const std::string& value) { return value.empty() ? "should not be empty" : ""; }, "");
     const auto text = [&](const char* name, std::string& value, const std::string& help, const char* type) {
-        return command.add_option(name, value, help)->type_name(type)->check(notEmpty);
+        addText(command, name, value, help, type);
     };
-    const auto list = [](const std::vector<std::string>& names) { return joined(names, ", "); };
-    command.add_option("FILE", texts.file, "Model to measure on")->required();
-    command.add_flag("--json", texts.json, "As one JSON object");
+    addModel(command, texts.file);
+    addJson(command, texts.json);
     command.add_option("--plot", texts.plot, "Drawing of error against time to write, a curve a path")
         ->type_name("OUT.svg");
-    text("--only", texts.only, "Measure one part: " + list(parts()) + " (default both)", "PART");
-    text("--paths", texts.paths, "Which paths (default all): " + list(namesOf(paths())), "A,B");
+    text("--only", texts.only, "Measure one part: " + joined(parts(), ", ") + " (default both)", "PART");
+    text("--paths", texts.paths, "Which paths (default all): " + listed(paths()), "A,B");
     text("--tolerances", texts.tolerances, "Paths: at which tolerances in pixels (default 4,2,1,0.5,0.25)",
          "PX,PX");
     text("--evaluators", texts.evaluators,
-         "Paths: with which evaluators: all, " + list(namesOf(evaluators())) + " (default auto)", "A,B");
+         "Paths: with which evaluators: all, " + listed(evaluators()) + " (default auto)", "A,B");
     text("--deform", texts.deform,
-         "Paths: what moves between frames: " + list(deformationNames()) + " (default none,all)", "A,B");
+         "Paths: what moves between frames: " + joined(deformationNames(), ", ") + " (default none,all)",
+         "A,B");
     text("--sampling", texts.sampling, "Paths: how finely, as in render (default: the path's own rule)", "S");
     text("--size", texts.size, "Paths: size of the picture in pixels (default 640x480)", "WxH");
-    text("--view", texts.view, "Paths: from where: " + list(namedViews()) + " (default iso)", "VIEW");
+    text("--view", texts.view, "Paths: from where: " + joined(namedViews(), ", ") + " (default iso)", "VIEW");
     command
         .add_option("--frames", texts.frames,
                     "Paths: how many frames are timed for a row, after one that is not; fewer where they "
@@ -129,9 +83,7 @@ void addMeasureOptions(CLI::App& command, MeasureTexts& texts)
         ->capture_default_str()
         ->check(wholeWithin(1, 1000))
         ->type_name("N");
-    command.add_option("--device", texts.device, "Which Vulkan device, counted from 0")
-        ->check(wholeWithin(0, 255))
-        ->type_name("N");
+    addDevice(command, texts.device);
     command
         .add_option("--points", texts.points, "Evaluators: how many random points, over all visible surfaces")
         ->capture_default_str()
@@ -154,23 +106,16 @@ MeasureRequest parse(const MeasureTexts& texts)
     PathMeasurementRequest& ofPaths = request.ofPaths;
     ofPaths.frames = texts.frames;
     ofPaths.tolerances = parseTolerances(texts.tolerances.empty() ? "4,2,1,0.5,0.25" : texts.tolerances);
-    ofPaths.paths = texts.paths.empty() ? allPaths()
-                                        : parseNames("--paths", texts.paths, namesOf(paths()),
-                                                     [](const std::string& word) { return findPath(word); });
+    ofPaths.paths =
+        texts.paths.empty() ? allPaths() : parseNames("--paths", texts.paths, namesOf(paths()), findPath);
     if (!texts.evaluators.empty())
         ofPaths.evaluators = parseEvaluators(texts.evaluators);
     if (!texts.deform.empty())
-        ofPaths.motions = parseNames("--deform", texts.deform, deformationNames(),
-                                     [](const std::string& word) { return findDeformation(word); });
-    if (!texts.sampling.empty()) {
-        const auto rule = parseSamplingRule(texts.sampling);
-        if (!rule)
-            throw CLI::ValidationError("--sampling", "'" + texts.sampling + "' is not known");
-        ofPaths.frame.sampling = *rule;
-    }
+        ofPaths.motions = parseNames("--deform", texts.deform, deformationNames(), findDeformation);
+    if (!texts.sampling.empty())
+        ofPaths.frame.sampling = parseSampling(texts.sampling);
     if (!texts.view.empty()) {
-        if (!namedView(texts.view, {}, 1, false))
-            refuseName("--view", texts.view, namedViews());
+        checkView(texts.view);
         request.view = texts.view;
     }
     const PixelSize size = texts.size.empty() ? kDefaultSize : parseSize("--size", texts.size);

@@ -97,6 +97,7 @@ Json jsonOf(const PathRow& row)
                  {"device_bytes", row.stats.deviceBytes},
                  {"error_px_max", orNull(row.stats.errorPxMax)},
                  {"error_px_mean", orNull(row.stats.errorPxMean)},
+                 {"error_pixels_lost", orNull(row.stats.errorPixelsLost)},
                  {"error_bound_px", orNull(row.stats.errorBoundPx)},
                  {"leak_pixels", orNull(row.stats.leakPixels)}});
     return json;

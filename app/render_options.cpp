@@ -1,37 +1,11 @@
 #include "app/render_options.h"
 
-#include <filesystem>
-
 #include <glm/geometric.hpp>
+
+#include "app/drawing_options.h"
 
 namespace knotspan::app {
 namespace {
-
-template <class List>
-std::vector<std::string> namesOf(const List& list)
-{
-    std::vector<std::string> names;
-    for (const auto& entry : list)
-        names.push_back(entry.name);
-    return names;
-}
-
-std::vector<std::string> samplingNames()
-{
-    auto names = namesOf(samplingRules());
-    for (std::string& rule : names)
-        if (rule == "fixed")
-            rule = "fixed:1 to fixed:64";
-    return names;
-}
-
-CullSet conservativeModes()
-{
-    CullSet set;
-    for (size_t mode = 0; mode < cullModes().size(); ++mode)
-        set.set(static_cast<int>(mode), cullModes()[mode].conservative);
-    return set;
-}
 
 CullSet parseCulling(const std::string& text)
 {
@@ -42,15 +16,6 @@ CullSet parseCulling(const std::string& text)
     auto known = namesOf(cullModes());
     known.insert(known.begin(), "none");
     refuseName("--culling", text, known);
-}
-
-template <class Found>
-auto foundOr(const Found& found, const std::string& option, const std::string& text,
-             const std::vector<std::string>& names)
-{
-    if (!found)
-        refuseName(option, text, names);
-    return *found;
 }
 
 void parseEye(const RenderTexts& texts, RenderRequest& request)
@@ -80,26 +45,24 @@ bool areAlong(const Vec3& a, const Vec3& b)
 
 void addRenderOptions(CLI::App& command, RenderTexts& texts)
 {
-    const CLI::Validator notEmpty(
-        [](const std::string& value) { return value.empty() ? "should not be empty" : ""; }, "");
     const auto text = [&](const char* name, std::string& value, const std::string& help, const char* type) {
-        return command.add_option(name, value, help)->type_name(type)->check(notEmpty);
+        return addText(command, name, value, help, type);
     };
-    const auto list = [](const std::vector<std::string>& names) { return joined(names, ", "); };
-    command.add_option("FILE", texts.file, "Model to read")->required();
+    addModel(command, texts.file);
     text("-o,--output", texts.output, "Picture to write", "OUT.png")->required();
     text("--size", texts.size, "Size in pixels (default 1280x800)", "WxH");
-    text("--path", texts.path, "How triangles are made: " + list(namesOf(paths())), "P");
-    text("--culling", texts.culling, "What is dropped unseen: none, " + list(namesOf(cullModes())), "A,B");
-    text("--sampling", texts.sampling, "How finely: " + list(samplingNames()) + " (default: the path's own)",
-         "S");
+    text("--path", texts.path, "How triangles are made: " + listed(paths()), "P");
+    text("--culling", texts.culling, "What is dropped unseen: none, " + listed(cullModes()), "A,B");
+    text("--sampling", texts.sampling,
+         "How finely: " + joined(samplingNames(), ", ") + " (default: the path's own)", "S");
     command
         .add_option("--tolerance", texts.tolerance, "How far the picture may be off, in pixels (default 0.5)")
         ->check(within(0.01, 1000))
         ->type_name("PX");
     text("--evaluator", texts.evaluator,
-         "How surface points are computed: " + list(namesOf(evaluators())) + " (default auto)", "E");
-    auto* view = text("--view", texts.view, "From where: " + list(namedViews()) + " (default iso)", "VIEW");
+         "How surface points are computed: " + listed(evaluators()) + " (default auto)", "E");
+    auto* view =
+        text("--view", texts.view, "From where: " + joined(namedViews(), ", ") + " (default iso)", "VIEW");
     text("--eye", texts.eye, "Where the eye is", "X,Y,Z")->excludes(view);
     text("--target", texts.target, "What it looks at (default: the model's middle)", "X,Y,Z");
     text("--up", texts.up, "What is up (default: z)", "X,Y,Z");
@@ -108,50 +71,41 @@ void addRenderOptions(CLI::App& command, RenderTexts& texts)
         ->capture_default_str()
         ->check(within(0.1, 170))
         ->type_name("DEG");
-    text("--shading", texts.shading, "What colours say: " + list(namesOf(shadings())), "S");
+    text("--shading", texts.shading, "What colours say: " + listed(shadings()), "S");
     command.add_flag("--net", texts.net, "Draw the control nets, too");
     command.add_flag("--knots", texts.knots, "Draw the borders of the KSQuads, too");
     command.add_option("--frames", texts.frames, "Frames to draw; the last one is written")
         ->capture_default_str()
         ->check(within(1, 1e6))
         ->type_name("N");
-    text("--deform", texts.deform, "What moves between frames: " + list(deformationNames()), "WHAT");
+    text("--deform", texts.deform, "What moves between frames: " + joined(deformationNames(), ", "), "WHAT");
     text("--stats", texts.stats, "Where to write the figures as JSON; - is standard output", "FILE");
-    command.add_option("--device", texts.device, "Which Vulkan device, counted from 0")
-        ->check(within(0, 255))
-        ->type_name("N");
+    addDevice(command, texts.device);
 }
 
 RenderRequest parse(const RenderTexts& texts)
 {
-    if (std::filesystem::path(texts.output).extension() != ".png")
-        throw CLI::ValidationError("--output", "'" + texts.output + "' should end in .png");
+    checkOutput("--output", texts.output, ".png", texts.file);
     for (const std::string& other : {texts.file, texts.output})
         if (texts.stats != "-" && isSameFile(texts.stats, other))
             throw CLI::ValidationError("--stats",
                                        "'" + texts.stats + "' would be written over; choose another file");
-    if (isSameFile(texts.output, texts.file))
-        throw CLI::ValidationError("--output", "'" + texts.output + "' is the model; choose another file");
     RenderRequest request;
     if (!texts.size.empty())
         request.size = parseSize("--size", texts.size);
     if (!texts.path.empty())
-        request.path = foundOr(findPath(texts.path), "--path", texts.path, namesOf(paths()));
+        request.path = parseName("--path", texts.path, namesOf(paths()), findPath);
     request.culling = parseCulling(texts.culling);
     if (!texts.sampling.empty())
-        request.sampling =
-            foundOr(parseSamplingRule(texts.sampling), "--sampling", texts.sampling, samplingNames());
+        request.sampling = parseSampling(texts.sampling);
     if (!texts.evaluator.empty())
-        request.evaluator =
-            foundOr(findEvaluator(texts.evaluator), "--evaluator", texts.evaluator, namesOf(evaluators()));
+        request.evaluator = parseName("--evaluator", texts.evaluator, namesOf(evaluators()), findEvaluator);
     if (!texts.shading.empty())
-        request.shading =
-            foundOr(findShading(texts.shading), "--shading", texts.shading, namesOf(shadings()));
+        request.shading = parseName("--shading", texts.shading, namesOf(shadings()), findShading);
     if (!texts.deform.empty())
-        request.deformation =
-            foundOr(findDeformation(texts.deform), "--deform", texts.deform, deformationNames());
-    if (!texts.view.empty() && !namedView(texts.view, {}, 1, false))
-        refuseName("--view", texts.view, namedViews());
+        request.deformation = parseName("--deform", texts.deform, deformationNames(), findDeformation);
+    if (!texts.view.empty())
+        checkView(texts.view);
     parseEye(texts, request);
     return request;
 }

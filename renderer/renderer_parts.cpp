@@ -152,6 +152,7 @@ void Renderer::Parts::updateFrameRecord(const Frame& frame, SurfacePath& path, S
         record.tileSide = limits->side;
         record.tileVertices = limits->vertices;
         record.tileTriangles = limits->triangles;
+        record.ringTriangles = limits->ringTriangles;
         record.tileCapacity = sampling.tileCapacity();
         record.tilesPerDraw = std::max(1U, std::min(limits->tilesPerDraw, sampling.tileCapacity()));
         record.taskTiles = limits->taskTiles;
@@ -165,6 +166,8 @@ void Renderer::Parts::updateFrameRecord(const Frame& frame, SurfacePath& path, S
                    (frame.camera.orthographic ? FRAME_ORTHOGRAPHIC : 0U) |
                    (frame.shading == Shading::error ? FRAME_MEASURE_ERROR : 0U);
     record.captureCapacity = counters.captureCapacity();
+    if (path.tiles() && path.tiles()->wholeGrids)
+        record.flags |= FRAME_WHOLE_TILES;
     path.prepare({scene, frame.camera, rule, frame.tolerancePx, static_cast<double>(frame.width),
                   static_cast<double>(frame.height), uploader},
                  record);

@@ -1,5 +1,5 @@
-// Everything the window can be told to do: one line each in actions.cpp, from which the menus, the shortcuts
-// and the list of keys are made.
+// Everything the window can be told to do: one row each, in the file of its menu (file_actions.cpp, …), from
+// which the menus, the shortcuts, the list of keys and what is greyed or checked are made.
 #pragma once
 
 #include <string_view>
@@ -18,12 +18,23 @@ struct ActionInfo {
     std::vector<QKeySequence> shortcuts;
     const char* tip;  // one sentence without a full stop
     void (*run)(MainWindow& window, bool checked);
-    enum class Kind { plain, checkable } kind = Kind::plain;
-    bool separated = false;  // a line above it
+    // Asked again whenever document, selection or frame change. Without: always; not checkable; no step.
+    bool (*isEnabled)(MainWindow& window) = nullptr;
+    bool (*isChecked)(MainWindow& window) = nullptr;
+    QString (*step)(MainWindow& window) = nullptr;  // what it would undo or redo, told behind the text
+    bool separated = false;                         // a line above it
 };
 
 // In the order of the menus.
 [[nodiscard]] const std::vector<ActionInfo>& actionList();
+// Its parts.
+[[nodiscard]] const std::vector<ActionInfo>& fileActions();
+[[nodiscard]] const std::vector<ActionInfo>& editActions();
+[[nodiscard]] const std::vector<ActionInfo>& viewActions();
+[[nodiscard]] const std::vector<ActionInfo>& helpActions();
+
+// A text of the lists in the user's language.
+[[nodiscard]] QString translatedAction(const char* text);
 
 // What the mouse does over the picture: (gesture, meaning).
 struct MouseInfo {

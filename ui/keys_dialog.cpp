@@ -1,6 +1,5 @@
 #include "ui/keys_dialog.h"
 
-#include <QCoreApplication>
 #include <QDialogButtonBox>
 #include <QTextBrowser>
 #include <QVBoxLayout>
@@ -13,7 +12,7 @@ namespace {
 
 QString translated(const char* text)
 {
-    return QCoreApplication::translate("knotspan::Actions", text).toHtmlEscaped();
+    return translatedAction(text).toHtmlEscaped();
 }
 
 QString row(const QString& left, const QString& right)

@@ -1,13 +1,12 @@
-// The window: a document, the viewport on it, the panels beside it, and the actions on all of them.
+// The window: a document, the viewport on it, and what the lists of panels and actions put around it.
 #pragma once
 
-#include <filesystem>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include <QMainWindow>
-#include <QPointer>
 
 #include "model/document/document.h"
 #include "ui/questions.h"
@@ -16,15 +15,12 @@
 
 class QDockWidget;
 class QLabel;
-class QMenu;
 class QToolBar;
 
 namespace knotspan {
 
-class KeysDialog;
+class DocumentFiles;
 class MessageBar;
-class SpeedDialog;
-class StatsPanel;
 
 class MainWindow : public QMainWindow {
     Q_OBJECT
@@ -36,33 +32,10 @@ public:
     [[nodiscard]] Document& document() { return document_; }
     [[nodiscard]] Selection& selection() { return selection_; }
     [[nodiscard]] Viewport& viewport() { return *viewport_; }
-    [[nodiscard]] StatsPanel& stats() { return *stats_; }
+    [[nodiscard]] DocumentFiles& files() { return *files_; }
     [[nodiscard]] QAction* action(std::string_view id) const;  // of actionList()
     // The sentence that the message bar shows; empty: none.
     [[nodiscard]] QString message() const;
-
-    // Opens the first, adds the others; asks first where changes would be lost. What fails is said in the
-    // message bar, the open document stays.
-    void openFiles(const std::vector<std::filesystem::path>& files);
-    void openSample(const std::string& name);
-
-    // What the actions do.
-    void askAndOpen();
-    void askAndAdd();
-    bool save();  // false where it failed or was called off; so for the next
-    bool saveAs();
-    void undo();
-    void redo();
-    void escape();
-    void selectAll();
-    void deleteSelected();
-    void setOrthographic(bool on);
-    void setControlNets(bool on);
-    void setKnotLines(bool on);
-    void changeUniformCells(int by);  // of the path cpu
-    void showSpeed();
-    void showKeys();
-    void showAbout();
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -77,31 +50,20 @@ private:
     void makePanels();
     void makeToolBar();
     void makeStatusBar();
-    void fillSamples(QMenu& menu);
-    void fillRecentFiles(QMenu& menu);
-    void addPanel(Qt::DockWidgetArea area, const char* name, const QString& title, QWidget* content);
     void restoreLayout();
 
-    bool mayDropDocument();
-    bool openFile(const std::filesystem::path& path);
-    // `trimmedBefore`: how many trimmed faces the user knows of.
-    void addFiles(const std::vector<std::filesystem::path>& files, std::ptrdiff_t trimmedBefore);
-    void report(const Error& error);
     void showTitle();
     void showActionStates();
     void showFrameLine(const FrameStats& stats);
 
-    Questions questions_;
     Document document_;
     Selection selection_;
     std::map<std::string, QAction*, std::less<>> actions_;
     Viewport* viewport_ = nullptr;
     MessageBar* messages_ = nullptr;
-    StatsPanel* stats_ = nullptr;
+    std::unique_ptr<DocumentFiles> files_;
     QLabel* frameLine_ = nullptr;
     QToolBar* toolBar_ = nullptr;
-    QPointer<KeysDialog> keys_;
-    SpeedDialog* speed_ = nullptr;  // made when it is first shown
     std::vector<QDockWidget*> panels_;
 };
 

@@ -1,8 +1,8 @@
-// How the window is put together: menus and tool bar from the list of actions, panels, status line.
+// How the window is put together: menus and tool bar from the list of actions, docks from the list of panels,
+// the status line.
 #include <QAction>
 #include <QCoreApplication>
 #include <QDockWidget>
-#include <QFileInfo>
 #include <QLabel>
 #include <QMenuBar>
 #include <QSettings>
@@ -10,24 +10,15 @@
 #include <QToolBar>
 #include <QVBoxLayout>
 
-#include "model/samples/sample_list.h"
 #include "ui/actions.h"
-#include "ui/keys_dialog.h"
+#include "ui/file_menus.h"
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
-#include "ui/panels/objects_panel.h"
-#include "ui/panels/rendering_panel.h"
-#include "ui/panels/stats_panel.h"
-#include "ui/recent_files.h"
+#include "ui/panel_list.h"
 
 namespace knotspan {
 
 namespace {
-
-QString translated(const char* text)
-{
-    return QCoreApplication::translate("knotspan::Actions", text);
-}
 
 // "file.open" -> "file"
 std::string_view menuOf(const ActionInfo& action)
@@ -56,15 +47,15 @@ void MainWindow::makeCentre()
 void MainWindow::makeActions()
 {
     for (const ActionInfo& info : actionList()) {
-        auto* made = new QAction(translated(info.text), this);
+        auto* made = new QAction(translatedAction(info.text), this);
         made->setObjectName(info.id);
         QList<QKeySequence> keys(info.shortcuts.begin(), info.shortcuts.end());
         made->setShortcuts(keys);
-        made->setStatusTip(translated(info.tip));
+        made->setStatusTip(translatedAction(info.tip));
         const QString key = keys.isEmpty() ? QString() : keys.first().toString(QKeySequence::NativeText);
-        made->setToolTip(key.isEmpty() ? translated(info.tip)
-                                       : QString("%1 (%2)").arg(translated(info.tip), key));
-        made->setCheckable(info.kind == ActionInfo::Kind::checkable);
+        made->setToolTip(key.isEmpty() ? translatedAction(info.tip)
+                                       : QString("%1 (%2)").arg(translatedAction(info.tip), key));
+        made->setCheckable(info.isChecked != nullptr);
         connect(made, &QAction::triggered, this,
                 [this, run = info.run](bool checked) { run(*this, checked); });
         addAction(made);  // so that its keys work whatever menu is open
@@ -74,21 +65,15 @@ void MainWindow::makeActions()
 
 void MainWindow::makePanels()
 {
-    stats_ = new StatsPanel;
-    connect(viewport_, &Viewport::frameDrawn, stats_, &StatsPanel::setStats);
-    addPanel(Qt::LeftDockWidgetArea, "objects-dock", tr("Objects"), new ObjectsPanel(document_, selection_));
-    addPanel(Qt::RightDockWidgetArea, "rendering-dock", tr("Rendering"), new RenderingPanel(*viewport_));
-    addPanel(Qt::RightDockWidgetArea, "stats-dock", tr("Statistics"), stats_);
-}
-
-void MainWindow::addPanel(Qt::DockWidgetArea area, const char* name, const QString& title, QWidget* content)
-{
-    auto* dock = new QDockWidget(title, this);
-    dock->setObjectName(name);
-    dock->setWidget(content);
-    dock->toggleViewAction()->setStatusTip(tr("Show or hide the panel \"%1\"").arg(title));
-    addDockWidget(area, dock);
-    panels_.push_back(dock);
+    for (const PanelInfo& info : panelList()) {
+        const QString title = QCoreApplication::translate("knotspan::Panels", info.title);
+        auto* dock = new QDockWidget(title, this);
+        dock->setObjectName(info.name);
+        dock->setWidget(info.make(*this));
+        dock->toggleViewAction()->setStatusTip(tr("Show or hide the panel \"%1\"").arg(title));
+        addDockWidget(info.area, dock);
+        panels_.push_back(dock);
+    }
 }
 
 void MainWindow::makeMenus()
@@ -98,17 +83,15 @@ void MainWindow::makeMenus()
     for (const auto& [menuName, title] : titles) {
         QMenu& menu = *menuBar()->addMenu(title);
         if (menuName == "file")
-            fillSamples(*menu.addMenu(tr("&New from sample")));
+            addSamplesMenu(menu, *files_);
         for (const ActionInfo& info : actionList()) {
             if (menuOf(info) != menuName)
                 continue;
             if (info.separated)
                 menu.addSeparator();
             menu.addAction(action(info.id));
-            if (std::string_view(info.id) == "file.open") {
-                QMenu* recent = menu.addMenu(tr("Open &recent"));
-                connect(recent, &QMenu::aboutToShow, this, [this, recent] { fillRecentFiles(*recent); });
-            }
+            if (std::string_view(info.id) == "file.open")
+                addRecentMenu(menu, *files_);
         }
         if (menuName == "view") {
             menu.addSeparator();
@@ -117,37 +100,6 @@ void MainWindow::makeMenus()
             menu.addAction(toolBar_->toggleViewAction());
         }
     }
-}
-
-void MainWindow::fillSamples(QMenu& menu)
-{
-    menu.setToolTipsVisible(true);
-    for (const Sample& sample : samples()) {
-        QAction* entry = menu.addAction(QString::fromStdString(sample.name));
-        entry->setToolTip(QString::fromStdString(sample.description));
-        entry->setStatusTip(entry->toolTip());
-        connect(entry, &QAction::triggered, this, [this, name = sample.name] { openSample(name); });
-    }
-}
-
-void MainWindow::fillRecentFiles(QMenu& menu)
-{
-    menu.clear();
-    const QStringList files = recentFiles::all();
-    for (const QString& file : files) {
-        QAction* entry = menu.addAction(QFileInfo(file).fileName());
-        entry->setStatusTip(file);
-        entry->setToolTip(file);
-        connect(entry, &QAction::triggered, this, [this, file] { openFiles({file.toStdString()}); });
-    }
-    menu.setToolTipsVisible(true);
-    if (files.isEmpty()) {
-        menu.addAction(tr("No files yet"))->setEnabled(false);
-        return;
-    }
-    menu.addSeparator();
-    connect(menu.addAction(tr("Forget these files")), &QAction::triggered, this,
-            [] { recentFiles::clear(); });
 }
 
 void MainWindow::makeToolBar()
@@ -201,23 +153,19 @@ void MainWindow::showFrameLine(const FrameStats& stats)
 
 void MainWindow::showActionStates()
 {
-    action("edit.undo")->setEnabled(document_.canUndo());
-    action("edit.redo")->setEnabled(document_.canRedo());
-    const auto named = [](const QString& verb, const QString& step) {
-        return step.isEmpty() ? verb : QString("%1: %2").arg(verb, step);
-    };
-    action("edit.undo")->setText(named(tr("&Undo"), document_.undoText()));
-    action("edit.undo")->setIconText(tr("Undo"));
-    action("edit.redo")->setText(named(tr("&Redo"), document_.redoText()));
-    action("edit.redo")->setIconText(tr("Redo"));
-    action("edit.delete")->setEnabled(!selection_.objects().empty());
-    action("view.fitSelection")->setEnabled(!selection_.objects().empty());
-    const Frame& frame = viewport_->frame();
-    action("view.moreCells")->setEnabled(frame.path == PathId::cpu);
-    action("view.fewerCells")->setEnabled(frame.path == PathId::cpu);
-    action("view.orthographic")->setChecked(frame.camera.orthographic);
-    action("view.nets")->setChecked(frame.overlays.controlNets);
-    action("view.knots")->setChecked(frame.overlays.knotLines);
+    for (const ActionInfo& info : actionList()) {
+        QAction& shown = *action(info.id);
+        if (info.isEnabled != nullptr)
+            shown.setEnabled(info.isEnabled(*this));
+        if (info.isChecked != nullptr)
+            shown.setChecked(info.isChecked(*this));
+        if (info.step == nullptr)
+            continue;
+        const QString verb = translatedAction(info.text);
+        const QString step = info.step(*this);
+        shown.setText(step.isEmpty() ? verb : QString("%1: %2").arg(verb, step));
+        shown.setIconText(QString(verb).remove('&'));  // on the tool bar
+    }
 }
 
 void MainWindow::restoreLayout()

@@ -201,13 +201,13 @@ void SpeedDialog::showPlot()
     plot_->setPlot(std::move(made.plot));
 }
 
-QString SpeedDialog::notMeasured() const
+QStringList SpeedDialog::notMeasured() const
 {
     QStringList lines;
     for (const PathRow& row : rows_)
         if (!row.unavailable.empty() && row.motion == Deformation::none)
             lines << QString::fromStdString(knotspan::describe(row));
-    return lines.join('\n');
+    return lines;
 }
 
 void SpeedDialog::showDetails(const QString& pointedAt)
@@ -216,11 +216,13 @@ void SpeedDialog::showDetails(const QString& pointedAt)
         return details_->setText(pointedAt);
     if (isMeasuring() || rows_.empty())
         return;
-    const QString lines = notMeasured();
-    details_->setText(
+    QStringList lines{
         tr("Click a point, or go to it with the arrow keys and press Enter, to draw with its path "
-           "and tolerance.") +
-        (lines.isEmpty() ? "" : "\n" + lines));
+           "and tolerance.")};
+    if (const size_t done = thread_->state().rowsDone; done < rows_.size())
+        lines << tr("Stopped after %1 of %2 measurements.").arg(done).arg(rows_.size());
+    lines << notMeasured();
+    details_->setText(lines.join('\n'));
 }
 
 void SpeedDialog::choose(int marker)

@@ -49,7 +49,7 @@ private:
     void showDetails(const QString& pointedAt);
     void choose(int marker);
     [[nodiscard]] PathMeasurementRequest request() const;
-    [[nodiscard]] QString notMeasured() const;
+    [[nodiscard]] QStringList notMeasured() const;
 
     Document& document_;
     Viewport& viewport_;

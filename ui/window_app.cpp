@@ -7,6 +7,7 @@
 #include <QDir>
 #include <QTemporaryDir>
 
+#include "ui/document_files.h"
 #include "ui/main_window.h"
 
 namespace knotspan {
@@ -54,9 +55,9 @@ int runWindow(int& argc, char** argv, const std::vector<std::filesystem::path>& 
 
     MainWindow window;
     if (files.empty())
-        window.openSample("hull");
+        window.files().openSample("hull");
     else
-        window.openFiles(files);
+        window.files().open(files);
     window.show();
     return QApplication::exec();
 }

@@ -155,6 +155,7 @@ Result<void> PathMeasurement::drawErrors(PathRow& row)
     row.stats = combined(frames_);
     row.stats.errorPxMax = errors->errorPxMax;
     row.stats.errorPxMean = errors->errorPxMean;
+    row.stats.errorPixelsLost = errors->errorPixelsLost;
     row.stats.errorBoundPx = errors->errorBoundPx;
     return isClosed_ ? countLeaks(row) : Result<void>();
 }

@@ -29,16 +29,16 @@ public:
 
     [[nodiscard]] std::optional<TileLimits> tiles() const override
     {
-        return TileLimits{.side = 64, .snap = SNAP_FALLING};
+        return TileLimits{.side = 64, .snap = SNAP_RING, .wholeGrids = true};
     }
 
     void prepare(const PathFrame&, gpu::FrameRecord& record) override
     {
-        // Every tile has a cell at least.
+        // Most tiles have a cell at least.
         vertexCapacity_ = std::max(vertexCapacity_, 4 * record.tileCapacity);
-        cellCapacity_ = std::max(cellCapacity_, record.tileCapacity);
+        triangleCapacity_ = std::max(triangleCapacity_, 2 * record.tileCapacity);
         record.vertexCapacity = vertexCapacity_;
-        record.cellCapacity = cellCapacity_;
+        record.triangleCapacity = triangleCapacity_;
         tiles_ = record.tileCapacity;
         const VkDeviceSize groups = (tiles_ + MESH_TILES - 1) / MESH_TILES;
         bindings_.provide(BINDING_MESH_GROUPS, groupBuffer_, groups * 2 * sizeof(gpu::uvec2));
@@ -46,7 +46,7 @@ public:
         bindings_.provide(BINDING_VERTICES, vertexBuffer_,
                           VkDeviceSize{vertexCapacity_} * sizeof(gpu::VertexRecord));
         bindings_.provide(BINDING_INDICES, indexBuffer_,
-                          VkDeviceSize{cellCapacity_} * 6 * sizeof(std::uint32_t));
+                          VkDeviceSize{triangleCapacity_} * 3 * sizeof(std::uint32_t));
     }
 
     void compute(VkCommandBuffer commands) const override
@@ -61,7 +61,7 @@ public:
         dispatch(commands, scan_, {1, 1});
         dispatch(commands, starts_, groupsFor(tiles_, MESH_TILES));
         dispatch(commands, vertices_, groupsFor(vertexCapacity_, MESH_ITEMS));
-        dispatch(commands, indices_, groupsFor(cellCapacity_, MESH_ITEMS));
+        dispatch(commands, indices_, groupsFor(triangleCapacity_, MESH_ITEMS));
         memoryBarrier(commands, kCompute, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
                       VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT | VK_PIPELINE_STAGE_2_INDEX_INPUT_BIT |
                           VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT,
@@ -71,9 +71,10 @@ public:
 
     [[nodiscard]] bool hadRoom(const gpu::Counters& counted) override
     {
-        const bool room = counted.meshVertices <= vertexCapacity_ && counted.meshCells <= cellCapacity_;
+        const bool room =
+            counted.meshVertices <= vertexCapacity_ && counted.meshTriangles <= triangleCapacity_;
         vertexCapacity_ = room ? vertexCapacity_ : counted.meshVertices + counted.meshVertices / 4;
-        cellCapacity_ = room ? cellCapacity_ : counted.meshCells + counted.meshCells / 4;
+        triangleCapacity_ = room ? triangleCapacity_ : counted.meshTriangles + counted.meshTriangles / 4;
         return room;
     }
 
@@ -106,7 +107,7 @@ private:
     Buffer indexBuffer_;
     std::uint32_t tiles_ = 0;
     std::uint32_t vertexCapacity_ = 0;
-    std::uint32_t cellCapacity_ = 0;
+    std::uint32_t triangleCapacity_ = 0;
 };
 
 }  // namespace

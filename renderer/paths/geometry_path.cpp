@@ -31,7 +31,7 @@ public:
 
     [[nodiscard]] std::optional<TileLimits> tiles() const override
     {
-        return TileLimits{.side = GEOMETRY_SIDE, .snap = SNAP_FALLING};
+        return TileLimits{.side = GEOMETRY_SIDE, .snap = SNAP_RING, .ringTriangles = GEOMETRY_VERTICES / 3};
     }
     [[nodiscard]] std::string limit() const override
     {

@@ -22,11 +22,15 @@ public:
 
     [[nodiscard]] std::optional<TileLimits> tiles() const override
     {
-        return TileLimits{.vertices = device_.abilities().meshVertices,
-                          .triangles = device_.abilities().meshTriangles,
+        const std::uint32_t vertices = device_.abilities().meshVertices;
+        const std::uint32_t triangles = device_.abilities().meshTriangles;
+        return TileLimits{.vertices = vertices,
+                          .triangles = triangles,
                           .tilesPerDraw = 0,
                           .taskTiles = TASK_TILES,
-                          .snap = SNAP_FALLING};
+                          .snap = SNAP_RING,
+                          .wholeGrids = true,
+                          .ringTriangles = std::min({vertices - 2, triangles, 254U})};
     }
 
     void draw(VkCommandBuffer commands, std::uint32_t, const TileDraws& tiles) const override

@@ -15,14 +15,17 @@
 
 namespace knotspan {
 
-// What a path can draw at once: limits of a tile, a rectangle of cells of a KSQuad's grid.
+// What a path can draw at once: limits of a tile, a part of a KSQuad's grid.
 struct TileLimits {
     std::uint32_t side = 64;  // cells along one side
     std::uint32_t vertices = ~0U;
     std::uint32_t triangles = ~0U;
     std::uint32_t tilesPerDraw = ~0U;  // where tiles are drawn as vertices, one each
     std::uint32_t taskTiles = 0;       // tiles a task group takes, where a task stage draws them
-    std::uint32_t snap = 0;            // SNAP_... (shaders/shared/borders.glsl), by how the path cuts cells
+    std::uint32_t snap = 0;  // SNAP_... (shaders/shared/borders.glsl), by what triangles the path can draw
+    // With SNAP_RING: whether a grid that fits may be one tile, and the most triangles of a part of a ring.
+    bool wholeGrids = false;
+    std::uint32_t ringTriangles = 254;
 };
 
 // The draws through the list of tiles.

@@ -138,6 +138,7 @@ const std::vector<StatField>& statFields()
         KNOTSPAN_FIELD("device_bytes", "Device memory", "bytes", deviceBytes),
         KNOTSPAN_FIELD("error_px_max", "Largest error", "px", errorPxMax),
         KNOTSPAN_FIELD("error_px_mean", "Mean error", "px", errorPxMean),
+        KNOTSPAN_FIELD("error_pixels_lost", "Too thin to tell", "px", errorPixelsLost),
         KNOTSPAN_FIELD("error_bound_px", "Promised error", "px", errorBoundPx),
         KNOTSPAN_FIELD("leak_pixels", "Leaks", "px", leakPixels),
     };

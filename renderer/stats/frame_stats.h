@@ -44,6 +44,7 @@ struct FrameStats {
     // How far the picture is from the exact surfaces; only of frames that measure it (Shading::error).
     std::optional<double> errorPxMax;
     std::optional<double> errorPxMean;
+    std::optional<std::uint64_t> errorPixelsLost;  // measured by their place alone (surface_error.frag)
     std::optional<double> errorBoundPx;       // what the sampling rule promised, where it promises anything
     std::optional<std::uint64_t> leakPixels;  // background seen through a closed model (leak_count.h)
 };

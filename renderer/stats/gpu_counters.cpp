@@ -76,6 +76,7 @@ void noteErrors(FrameStats& stats, const gpu::Counters& counted, bool measured)
     constexpr double kStep = 1.0 / 4096.0;
     const double sum = kStep * (counted.errorSum[0] + 4294967296.0 * counted.errorSum[1]);
     stats.errorPxMax = std::bit_cast<float>(counted.errorMax);
+    stats.errorPixelsLost = counted.errorLost;
     stats.errorPxMean = counted.errorPixels > 0 ? sum / counted.errorPixels : 0.0;
 }
 

@@ -2,7 +2,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
-#include "../shared/grid_scene.glsl"
+#include "tile_cut.glsl"
 
 layout(local_size_x = TILE_KSQUADS) in;
 
@@ -17,10 +17,8 @@ void main()
         return;
     uint ksquad = visible[index];
     uint count = 0u;
-    if ((grids[ksquad].alongU | grids[ksquad].alongV) != 0u) {
-        TileCut cut = tileCut(drawnGrid(ksquad, frame.snap));
-        count = cut.u * cut.v;
-    }
+    if ((grids[ksquad].alongU | grids[ksquad].alongV) != 0u)
+        count = tileCount(tileCut(drawnGrid(ksquad, frame.snap)));
     tileCounts[index] = count;
     atomicAdd(groups[group][0], count);
 }

@@ -3,7 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 
 #define KNOTSPAN_TILES_ACCESS writeonly
-#include "../shared/grid_scene.glsl"
+#include "tile_cut.glsl"
 
 layout(local_size_x = TILE_KSQUADS) in;
 

@@ -129,8 +129,8 @@ FirstGrid firstGrid(WindowFigures KNOTSPAN_OF_REAL whole, Real tolerance)
     }
     grid.u = wholeFactor KNOTSPAN_OF_REAL(u);
     grid.v = wholeFactor KNOTSPAN_OF_REAL(v);
-    grid.leastU = min(max(uint(Real(0.8f) * Real(grid.u)), 1u), GRID_MOST_LEAST);
-    grid.leastV = min(max(uint(Real(0.8f) * Real(grid.v)), 1u), GRID_MOST_LEAST);
+    grid.leastU = min(max(uint(Real(0.75f) * Real(grid.u)), 1u), GRID_MOST_LEAST);
+    grid.leastV = min(max(uint(Real(0.75f) * Real(grid.v)), 1u), GRID_MOST_LEAST);
     for (int attempt = 0; attempt < 10; ++attempt) {
         if (windowBound KNOTSPAN_OF_REAL(whole, Real(1) / Real(grid.u), Real(1) / Real(grid.v)) <= tolerance) {
             if (grid.leastU == 1u && grid.leastV == 1u) {

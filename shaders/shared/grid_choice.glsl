@@ -28,7 +28,7 @@ using std::sqrt;
 #define GRID_LARGEST 1024u       // cells along one side that are ever asked for
 #define GRID_LANES 16u           // windows of a KSQuad; and candidates that are tried beside each other
 #define GRID_LEVELS 5u
-#define GRID_FEW_CELLS 256u  // for so many and fewer the next level costs more than it saves
+#define GRID_FEW_CELLS 48u  // for so many and fewer the next level costs more than it saves
 #define GRID_MOST_LEAST 8u       // beyond that many cells smaller windows gain little
 #define GRID_NONE 0xffffffffu    // no grid within GRID_LARGEST
 #define GRID_HUGE 3.0e38f

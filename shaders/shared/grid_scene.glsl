@@ -21,56 +21,11 @@ layout(set = 0, binding = BINDING_TILES, scalar) KNOTSPAN_TILES_ACCESS buffer Ti
 
 #include "borders.glsl"
 
-// How a drawn grid is cut into tiles that the path can draw: as evenly as it goes, along the side with more cells first.
-struct TileCut {
-    uint u;  // tiles along u
-    uint v;
-};
-
-TileCut tileCut(DrawnGrid grid)
-{
-    TileCut cut = TileCut(1u, 1u);
-    for (;;) {
-        uint u = (grid.u + cut.u - 1u) / cut.u;
-        uint v = (grid.v + cut.v - 1u) / cut.v;
-        bool wide = max(u, v) > frame.tileSide;
-        bool full = (u + 1u) * (v + 1u) > frame.tileVertices || 2u * u * v > frame.tileTriangles;
-        if (!wide && !full || max(u, v) == 1u)
-            return cut;
-        if (u >= v)
-            ++cut.u;
-        else
-            ++cut.v;
-    }
-}
-
-// The first cell of part k of `parts`.
-uint tileStart(uint cells, uint parts, uint k)
-{
-    uint start = k * cells / parts;
-    return k < parts && (frame.flags & FRAME_EVEN_TILES) != 0u ? start & ~1u : start;
-}
-
-// Tile number k of a cut.
-TileRecord tileOf(uint ksquad, DrawnGrid grid, TileCut cut, uint k)
-{
-    uint a = k / cut.v;
-    uint b = k % cut.v;
-    uint firstU = tileStart(grid.u, cut.u, a);
-    uint firstV = tileStart(grid.v, cut.v, b);
-    uint edges[4];
-    for (uint side = 0u; side < 4u; ++side)
-        edges[side] = grid.edges[side] | ((grid.divided >> side & 1u) != 0u ? TILE_DIVIDED : 0u);
-    return TileRecord(ksquad, firstU | firstV << 16u,
-                      tileStart(grid.u, cut.u, a + 1u) - firstU | tileStart(grid.v, cut.v, b + 1u) - firstV << 16u,
-                      grid.u | grid.v << 16u, uint[2](edges[0] | edges[1] << 16u, edges[2] | edges[3] << 16u));
-}
-
 DrawnGrid gridOf(TileRecord tile)
 {
     DrawnGrid grid;
-    grid.u = tile.grid & 0xffffu;
-    grid.v = tile.grid >> 16u;
+    grid.u = tile.grid & 0x7fffu;
+    grid.v = tile.grid >> 16u & 0x7fffu;
     grid.divided = 0u;
     for (uint side = 0u; side < 4u; ++side) {
         uint edge = tile.edges[side / 2u] >> 16u * (side & 1u) & 0xffffu;
@@ -78,14 +33,6 @@ DrawnGrid gridOf(TileRecord tile)
         grid.divided |= (edge & TILE_DIVIDED) != 0u ? 1u << side : 0u;
     }
     return grid;
-}
-
-// Vertex number k of a tile's (cells.u + 1) (cells.v + 1), u outer.
-GridVertex tileVertex(TileRecord tile, uint k)
-{
-    uint row = (tile.cells >> 16u) + 1u;
-    return gridVertex(tile.ksquad, gridOf(tile), (tile.first & 0xffffu) + k / row, (tile.first >> 16u) + k % row,
-                      frame.snap);
 }
 
 #endif

@@ -75,8 +75,8 @@ KNOTSPAN_INLINE FirstGrid nextLevel(FirstGrid first, uint key)
     uint most = GRID_MOST_LEAST << next.level;
     next.u = keyU(key);
     next.v = keyV(key);
-    next.leastU = min(max(next.u / 2u, 1u), most);
-    next.leastV = min(max(next.v / 2u, 1u), most);
+    next.leastU = min(max(next.u - (next.u + 5u) / 6u, 1u), most);
+    next.leastV = min(max(next.v - (next.v + 5u) / 6u, 1u), most);
     return next;
 }
 

@@ -16,6 +16,7 @@ namespace knotspan::gpu {
 #define FRAME_OVERSAMPLE_OPEN 32u    // borders of surfaces that nobody shares get twice as many cells
 #define FRAME_OVERSAMPLE_SHARED 64u  // and so do those that others lie along
 #define FRAME_EVEN_TILES 128u        // tiles start at even cells
+#define FRAME_WHOLE_TILES 256u       // a grid that fits is one tile, its ring included
 #define FRAME_MEASURE_ERROR 8u  // the fragment stage measures each pixel's distance from the surface
 
 // How much of a measured error may be the rasterizer's: it rounds vertices to 1/256 pixel.
@@ -40,10 +41,11 @@ struct FrameRecord {
     uint tileSide;        // the most cells of a tile along one side
     uint tileVertices;    // and the most vertices
     uint tileTriangles;   // and triangles
+    uint ringTriangles;   // the most triangles of a part of a ring (ring.glsl), at most 255
     uint tileCapacity;    // what the list of tiles holds
     uint tilesPerDraw;    // what one draw may hold, where tiles are drawn as vertices
     uint vertexCapacity;  // what the buffers of the path compute hold
-    uint cellCapacity;
+    uint triangleCapacity;
     uint taskTiles;       // tiles a task group takes, where a task stage draws them; else 0
     uint cullBits;
     uint ksquadCount;
@@ -115,14 +117,17 @@ struct GridRecord {
     uint alongU;  // sides START_V (low 16 bits) and END_V
 };
 
-// A rectangle of cells of a KSQuad's drawn grid.
+// A part of a KSQuad's drawn grid: a rectangle of cells, a part of the ring around them, or all (tiles.glsl).
 struct TileRecord {
     uint ksquad;
-    uint first;  // cell: i (low 16 bits) and j
-    uint cells;  // along u (low 16 bits) and v
-    uint grid;   // the whole grid's, likewise
+    uint first;  // cell: i (low 16 bits) and j. TILE_RING: the first vertex of the outer chain
+    uint cells;  // along u (low 16 bits) and v. TILE_RING: steps of the outer chain (8 bits), of the inner one (8 bits),
+                 // and its first vertex
+    uint grid;   // cells of the whole grid, along u (low 15 bits) and v (from bit 16 on); with TILE_RING or TILE_WHOLE
     uint edges[2];  // cells of the edges at START_U (low 16 bits) and END_U, at START_V and END_V; with TILE_DIVIDED
 };
+#define TILE_RING 0x8000u
+#define TILE_WHOLE 0x80000000u
 #define TILE_DIVIDED 0x8000u  // the edge's vertices are not evenly spaced (borders.glsl)
 
 // A surface as this frame's camera sees it; made in double.
@@ -149,11 +154,12 @@ struct Counters {
     uint captured;
     uint tiles;       // wanted; beyond frame.tileCapacity the frame is drawn again with more room
     uint meshVertices;  // wanted by the path compute; beyond frame.vertexCapacity the frame is drawn again
-    uint meshCells;
+    uint meshTriangles;
     uint meshGroups;  // of the path mesh
     uint errorBound;  // float bits: the largest bound of a KSQuad's grid, pixels
     uint errorMax;    // float bits: the largest error measured, pixels
     uint errorPixels;  // how many pixels were measured
+    uint errorLost;    // of those, how many float tells too little of
     uint errorSum[2];  // in 1/4096 pixel
     uint laneSlots[2];  // threads of the path mesh times their rounds over vertices
     uint ksdice[2];
@@ -242,7 +248,7 @@ struct OverlayConstants {
 #define NO_MARK 0xffffffffu
 
 #ifdef __cplusplus
-static_assert(sizeof(FrameRecord) == 156 && sizeof(SurfaceRecord) == 92 && sizeof(SurfaceView) == 72);
+static_assert(sizeof(FrameRecord) == 160 && sizeof(SurfaceRecord) == 92 && sizeof(SurfaceView) == 72);
 static_assert(sizeof(BorderSide) == 8 && sizeof(BorderPiece) == 32 && sizeof(BorderUse) == 8);
 static_assert(sizeof(GridRecord) == 8 && sizeof(TileRecord) == 24);
 static_assert(sizeof(KsQuadRecord) == 16 && sizeof(CapturedRecord) == 56);

@@ -1,4 +1,4 @@
-// Step 5 of the path compute: the two triangles of each cell into the index buffer.
+// Step 5 of the path compute: each triangle into the index buffer.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -13,16 +13,11 @@ void main()
 {
     uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
     uint item = group * MESH_ITEMS + gl_LocalInvocationID.x;
-    if (item >= counters.meshCells || counters.meshCells > frame.cellCapacity)
+    if (item >= counters.meshTriangles || counters.meshTriangles > frame.triangleCapacity)
         return;
     uint index = tileOfItem(item, true);
-    uint along = tiles[index].cells >> 16u;
     uvec2 start = index == 0u ? uvec2(0u) : ends[index - 1u];
-    uint local = item - start.y;
-    uint row = along + 1u;
-    uint corner = start.x + local / along * row + local % along;
-    // Cut from (1, 0) to (0, 1): SNAP_FALLING asks for it.
-    uint six[6] = {corner, corner + row, corner + 1u, corner + row, corner + row + 1u, corner + 1u};
-    for (uint k = 0u; k < 6u; ++k)
-        indices[6u * item + k] = six[k];
+    uvec3 corners = start.x + tileTriangle(tiles[index], item - start.y);
+    for (uint k = 0u; k < 3u; ++k)
+        indices[3u * item + k] = corners[k];
 }

@@ -14,7 +14,7 @@ shared uvec2 sums[SCAN_THREADS];
 void main()
 {
     uint lane = gl_LocalInvocationID.x;
-    uint groupCount = (tileCount() + MESH_TILES - 1u) / MESH_TILES;
+    uint groupCount = (heldTiles() + MESH_TILES - 1u) / MESH_TILES;
     uint slice = (groupCount + SCAN_THREADS - 1u) / SCAN_THREADS;
     uint begin = min(lane * slice, groupCount);
     uint end = min(begin + slice, groupCount);
@@ -35,10 +35,10 @@ void main()
     }
     if (lane == 0u) {
         counters.meshVertices = total.x;
-        counters.meshCells = total.y;
-        bool room = total.x <= frame.vertexCapacity && total.y <= frame.cellCapacity;
-        indexedDraw = IndexedDrawRecord(room ? 6u * total.y : 0u, 1u, 0u, 0, 0u);
+        counters.meshTriangles = total.y;
+        bool room = total.x <= frame.vertexCapacity && total.y <= frame.triangleCapacity;
+        indexedDraw = IndexedDrawRecord(room ? 3u * total.y : 0u, 1u, 0u, 0, 0u);
         if (room)
-            countDice(total.y, 2u * total.y, total.x);
+            countDice((total.y + 1u) / 2u, total.y, total.x);
     }
 }

@@ -1,4 +1,4 @@
-// Step 3 of the buffers of the path compute: where each tile's vertices and cells end.
+// Step 3 of the buffers of the path compute: where each tile's vertices and triangles end.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -12,10 +12,10 @@ void main()
     uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
     uint first = group * MESH_TILES;
     uint tile = first + gl_LocalInvocationID.x;
-    if (tile >= tileCount())
+    if (tile >= heldTiles())
         return;
     uvec2 end = meshGroups[group][1];
     for (uint before = first; before <= tile; ++before)
-        end += sizeOf(before);
+        end += itemsOf(before);
     ends[tile] = end;
 }

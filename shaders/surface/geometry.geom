@@ -1,9 +1,10 @@
 // The geometry stage of the path geometry (RPNS' first variant): one point in, a whole tile out as triangle strips. A strip
-// repeats the row it shares with the one before, so that a stage without shared memory evaluates it once and keeps it.
+// of cells repeats the row it shares with the one before, a ring gives out each triangle by itself, so that a stage without
+// shared memory evaluates every vertex once and keeps it.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
-#include "../shared/grid_scene.glsl"
+#include "../shared/tiles.glsl"
 #include "drawn_vertex.glsl"
 #include "surface_io.glsl"
 
@@ -31,21 +32,47 @@ void emit(DrawnVertex vertex, uint ksquad)
 void main()
 {
     TileRecord tile = tiles[inTile[0]];
-    uint cellsU = tile.cells & 0xffffu;
-    uint cellsV = tile.cells >> 16u;
-    DrawnVertex row[GEOMETRY_SIDE + 1u];
-    for (uint i = 0u; i <= cellsU; ++i) {
-        for (uint j = 0u; j <= cellsV; ++j) {
-            GridVertex at = tileVertex(tile, i * (cellsV + 1u) + j);
-            DrawnVertex vertex = drawnVertex(at, tile.ksquad);
-            // From (i - 1, j) to (i, j): triangles are cut from (1, 0) to (0, 1), as SNAP_FALLING asks.
-            if (i > 0u) {
-                emit(row[j], tile.ksquad);
-                emit(vertex, tile.ksquad);
-            }
-            row[j] = vertex;
+    DrawnGrid grid = gridOf(tile);
+    RingPart ring = ringOf(tile, grid);
+    TileSize size = sizeOf(tile);
+    bool isRing = size.insideVertices == 0u;
+    bool clockwise = runsClockwise(grid);
+    // Of cells: the row before. Of a ring: the latest vertices of its outer and its inner chain.
+    DrawnVertex held[GEOMETRY_SIDE + 1u];
+    RingTriangle triangle = RingTriangle(0u, 0u, false);
+    for (uint k = 0u; k < size.vertices; ++k) {
+        uint number = k;
+        if (isRing) {
+            // The chains' first vertices, then the one that each triangle steps to.
+            if (k > 1u)
+                triangle = ringTriangle(tile.ksquad, grid, ring, k - 2u);
+            uint outer = k > 1u ? triangle.outer + 1u - ring.outer : 0u;
+            uint inner = ring.outerSteps + 1u + (k > 1u ? triangle.inner + 1u - ring.inner : 0u);
+            number = k == 0u || k > 1u && triangle.stepsOuter ? outer : inner;
         }
-        EndPrimitive();
+        DrawnVertex vertex = drawnVertex(tileVertex(tile, number), tile.ksquad);
+        if (!isRing) {
+            // From (i - 1, j) to (i, j): triangles are cut from (1, 0) to (0, 1).
+            uint j = k % size.row;
+            if (k >= size.row) {
+                emit(held[j], tile.ksquad);
+                emit(vertex, tile.ksquad);
+                if (j + 1u == size.row)
+                    EndPrimitive();
+            }
+            held[j] = vertex;
+            continue;
+        }
+        if (k > 1u) {
+            emit(held[0], tile.ksquad);
+            if (clockwise)
+                emit(held[1], tile.ksquad);
+            emit(vertex, tile.ksquad);
+            if (!clockwise)
+                emit(held[1], tile.ksquad);
+            EndPrimitive();
+        }
+        held[k == 0u || k > 1u && triangle.stepsOuter ? 0u : 1u] = vertex;
     }
-    countDice(cellsU * cellsV, 2u * cellsU * cellsV, (cellsU + 1u) * (cellsV + 1u));
+    countDice((size.triangles + 1u) / 2u, size.triangles, size.vertices);
 }

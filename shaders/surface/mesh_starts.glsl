@@ -1,5 +1,5 @@
-// Where each tile's vertices and cells are in the buffers of the path compute: the sums up to and with the tile.
-#include "../shared/grid_scene.glsl"
+// Where each tile's vertices and triangles are in the buffers of the path compute: the sums up to and with the tile.
+#include "../shared/tiles.glsl"
 
 #ifndef KNOTSPAN_STARTS_ACCESS
 #define KNOTSPAN_STARTS_ACCESS readonly
@@ -8,11 +8,11 @@
 layout(set = 0, binding = BINDING_MESH_GROUPS, scalar) buffer MeshGroupBuffer { uvec2 meshGroups[][2]; };
 layout(set = 0, binding = BINDING_MESH_STARTS, scalar) KNOTSPAN_STARTS_ACCESS buffer StartBuffer { uvec2 ends[]; };
 
-uint tileCount() { return min(counters.tiles, frame.tileCapacity); }
+uint heldTiles() { return min(counters.tiles, frame.tileCapacity); }
 
-// Vertices and cells of a tile.
-uvec2 sizeOf(uint tile)
+// Vertices and triangles of a tile.
+uvec2 itemsOf(uint tile)
 {
-    uvec2 cells = uvec2(tiles[tile].cells & 0xffffu, tiles[tile].cells >> 16u);
-    return uvec2((cells.x + 1u) * (cells.y + 1u), cells.x * cells.y);
+    TileSize size = sizeOf(tiles[tile]);
+    return uvec2(size.vertices, size.triangles);
 }

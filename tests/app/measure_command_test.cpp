@@ -1,15 +1,9 @@
 // No test asks how fast anything is: machines that run tests are busy.
-#include <cstdlib>
-#include <memory>
 #include <set>
 
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
-
 #include "renderer/renderer.h"
-#include "tests/app/run_program.h"
+#include "tests/app/measure_fixture.h"
 #include "tests/app/svg_file.h"
-#include "tests/support.h"
 
 using namespace knotspan;
 using namespace knotspan::testing;
@@ -20,22 +14,13 @@ namespace {
 
 constexpr double kMostUnits = 16;
 
-// One measurement of a sample with few points, for several tests.
-class MeasureCommand : public ::testing::Test {
+// Of a sample with few points.
+class MeasureCommand : public MeasureFixture<MeasureCommand> {
 protected:
     static void SetUpTestSuite()
     {
-        folder = std::make_unique<TemporaryFolder>();
-        model = *folder / "nine & 16.knotspan";
-        plot = *folder / "plot.svg";
-        ASSERT_EQ(runProgram({"sample", "nine-16", "-o", model}).exitCode, 0);
-        run = runProgram(
-            {"measure", model, "--only", "evaluators", "--points", "500", "--json", "--plot", plot});
-        ASSERT_EQ(run.exitCode, 0) << run.messages;
-        json = Json::parse(run.output);
+        measure("nine-16", "nine & 16.knotspan", {"--only", "evaluators", "--points", "500"});
     }
-
-    static void TearDownTestSuite() { folder.reset(); }
 
     // "stair double gpu"
     static std::string nameOf(const Json& row)
@@ -53,12 +38,6 @@ protected:
                     names.insert(info.name + rest);
         return names;
     }
-
-    static inline std::unique_ptr<TemporaryFolder> folder;
-    static inline std::string model;
-    static inline std::string plot;
-    static inline ProgramRun run;
-    static inline Json json;
 };
 
 }  // namespace
@@ -119,23 +98,19 @@ TEST_F(MeasureCommand, DrawsAMarkerForEachMeasuredRow)
     const auto svg = readSvg(plot);
     ASSERT_TRUE(svg);
     EXPECT_NE(svg->text.find("nine & 16.knotspan"), std::string::npos) << svg->text;
-    size_t measured = 0;
-    for (const Json& row : json.at("evaluators"))
-        measured += row.contains("unavailable") ? 0 : 1;
-    EXPECT_EQ(svg->markers, measured);
+    EXPECT_EQ(svg->markers, measuredOf(json.at("evaluators")).size());
 }
 
 TEST_F(MeasureCommand, WithoutADeviceMeasuresTheCpuWithTheSameErrors)
 {
-    // The loader's variable is one of these, by its age.
-    ::setenv("VK_DRIVER_FILES", "/absent.json", 1);
-    ::setenv("VK_ICD_FILENAMES", "/absent.json", 1);
-    const ProgramRun bare =
-        runProgram({"measure", model, "--only", "evaluators", "--points", "500", "--json"});
-    const ProgramRun table = runProgram({"measure", model, "--only", "evaluators", "--points", "1"});
-    expectFailure({"measure", model, "--points", "1", "--device", "0"}, "Vulkan");
-    ::unsetenv("VK_DRIVER_FILES");
-    ::unsetenv("VK_ICD_FILENAMES");
+    ProgramRun bare;
+    ProgramRun table;
+    {
+        const WithoutDevice none;
+        bare = runProgram({"measure", model, "--only", "evaluators", "--points", "500", "--json"});
+        table = runProgram({"measure", model, "--only", "evaluators", "--points", "1"});
+        expectFailure({"measure", model, "--points", "1", "--device", "0"}, "Vulkan");
+    }
     ASSERT_EQ(bare.exitCode, 0) << bare.messages;
     const Json other = Json::parse(bare.output);
     EXPECT_TRUE(other.at("device").is_null());

@@ -1,15 +1,9 @@
 // `knotspan measure`, its part on paths. No test asks how fast anything is: machines that run tests are busy.
-#include <cstdlib>
 #include <map>
-#include <memory>
-
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include "renderer/renderer.h"
-#include "tests/app/run_program.h"
+#include "tests/app/measure_fixture.h"
 #include "tests/app/svg_file.h"
-#include "tests/support.h"
 
 using namespace knotspan;
 using namespace knotspan::testing;
@@ -19,22 +13,24 @@ namespace {
 
 constexpr int kTolerances = 2;
 
-// One measurement of a sample in a small picture, for several tests.
-class MeasurePaths : public ::testing::Test {
+// In a small picture.
+class MeasurePaths : public MeasureFixture<MeasurePaths> {
 protected:
     static void SetUpTestSuite()
     {
-        folder = std::make_unique<TemporaryFolder>();
-        model = *folder / "torus.knotspan";
-        plot = *folder / "plot.svg";
-        ASSERT_EQ(runProgram({"sample", "torus", "-o", model}).exitCode, 0);
-        run = runProgram({"measure", model, "--only", "paths", "--size", "96x64", "--frames", "1",
-                          "--tolerances", "0.5,4", "--json", "--plot", plot});
-        ASSERT_EQ(run.exitCode, 0) << run.messages;
-        json = Json::parse(run.output);
+        measure("torus", "torus.knotspan",
+                {"--only", "paths", "--size", "96x64", "--frames", "1", "--tolerances", "0.5,4"});
     }
 
-    static void TearDownTestSuite() { folder.reset(); }
+    static std::vector<Json> measuredRows() { return measuredOf(json.at("paths")); }
+
+    // A quick run, with these besides.
+    static ProgramRun runSmall(const std::string& file, std::vector<std::string> more)
+    {
+        more.insert(more.begin(), {"measure", file, "--only", "paths", "--size", "64x64", "--frames", "1",
+                                   "--tolerances", "4", "--paths", "tessellation"});
+        return runProgram(more);
+    }
 
     static const PathInfo& pathOf(const Json& row)
     {
@@ -46,12 +42,6 @@ protected:
     {
         return row.at("path").get<std::string>() + " " + row.at("deform").get<std::string>();
     }
-
-    static inline std::unique_ptr<TemporaryFolder> folder;
-    static inline std::string model;
-    static inline std::string plot;
-    static inline ProgramRun run;
-    static inline Json json;
 };
 
 }  // namespace
@@ -63,12 +53,10 @@ TEST_F(MeasurePaths, EachPathHasARowForEachToleranceItFollowsInEachMotion)
     EXPECT_EQ(json.at("height"), 64);
     EXPECT_FALSE(json.contains("evaluators"));
     std::map<std::string, int> rows;
-    for (const Json& row : json.at("paths")) {
+    for (const Json& row : json.at("paths"))
         ++rows[seriesOf(row)];
-        if (!row.contains("unavailable")) {
-            EXPECT_EQ(row.at("tolerance_px").is_null(), !pathOf(row).followsTolerance) << row;
-        }
-    }
+    for (const Json& row : measuredRows())
+        EXPECT_EQ(row.at("tolerance_px").is_null(), !pathOf(row).followsTolerance) << row;
     for (const PathInfo& path : paths())
         for (const char* motion : {" none", " all"}) {
             const int count = rows[path.name + motion];
@@ -80,13 +68,13 @@ TEST_F(MeasurePaths, EachPathHasARowForEachToleranceItFollowsInEachMotion)
 TEST_F(MeasurePaths, EveryRowHasFiguresOrTheDevicesReasonWhyNot)
 {
     const auto renderer = Renderer::create();
-    for (const Json& row : json.at("paths")) {
+    for (const Json& row : json.at("paths"))
         if (row.contains("unavailable")) {
             const std::string why =
                 renderer ? (*renderer)->whyUnavailable(pathOf(row).id) : renderer.error().sentence();
             EXPECT_EQ(row.at("unavailable"), why) << row;
-            continue;
         }
+    for (const Json& row : measuredRows()) {
         EXPECT_GT(row.at("frame_ms").at("median"), 0) << row;
         EXPECT_GT(row.at("cpu_ms").at("median"), 0) << row;
         EXPECT_GT(row.at("triangles"), 0) << row;
@@ -102,15 +90,15 @@ TEST_F(MeasurePaths, EveryRowHasFiguresOrTheDevicesReasonWhyNot)
 
 TEST_F(MeasurePaths, AFinerToleranceNeverTakesFewerTriangles)
 {
-    const Json* before = nullptr;
-    for (const Json& row : json.at("paths")) {
-        if (row.contains("unavailable") || row.at("tolerance_px").is_null())
+    Json before;
+    for (const Json& row : measuredRows()) {
+        if (row.at("tolerance_px").is_null())
             continue;
-        if (before != nullptr && seriesOf(*before) == seriesOf(row)) {
-            EXPECT_LT(row.at("tolerance_px"), before->at("tolerance_px")) << row;
-            EXPECT_GE(row.at("triangles"), before->at("triangles")) << row;
+        if (!before.is_null() && seriesOf(before) == seriesOf(row)) {
+            EXPECT_LT(row.at("tolerance_px"), before.at("tolerance_px")) << row;
+            EXPECT_GE(row.at("triangles"), before.at("triangles")) << row;
         }
-        before = &row;
+        before = row;
     }
 }
 
@@ -118,8 +106,8 @@ TEST_F(MeasurePaths, AFinerToleranceNeverTakesFewerTriangles)
 TEST_F(MeasurePaths, ErrorsAreWithinWhatTheRulePromises)
 {
     constexpr double kRounding = 1e-3;
-    for (const Json& row : json.at("paths"))
-        if (!row.contains("unavailable") && !row.at("error_bound_px").is_null()) {
+    for (const Json& row : measuredRows())
+        if (!row.at("error_bound_px").is_null()) {
             EXPECT_LE(row.at("error_px_max").get<double>(),
                       row.at("error_bound_px").get<double>() * (1 + kRounding))
                 << row;
@@ -128,22 +116,18 @@ TEST_F(MeasurePaths, ErrorsAreWithinWhatTheRulePromises)
 
 TEST_F(MeasurePaths, AMovedModelIsSentAgainInEachFrame)
 {
-    for (const Json& row : json.at("paths"))
-        if (!row.contains("unavailable") && row.at("deform") == "all") {
+    for (const Json& row : measuredRows())
+        if (row.at("deform") == "all") {
             EXPECT_GT(row.at("upload_bytes_per_frame"), 0) << row;
         }
 }
 
 TEST_F(MeasurePaths, CountsLeaksOfClosedModelsOnly)
 {
-    for (const Json& row : json.at("paths"))
-        if (!row.contains("unavailable")) {
-            EXPECT_TRUE(row.at("leak_pixels").is_number_unsigned()) << row;
-        }
+    for (const Json& row : measuredRows())
+        EXPECT_TRUE(row.at("leak_pixels").is_number_unsigned()) << row;
     ASSERT_EQ(runProgram({"sample", "single-100", "-o", *folder / "sheet.knotspan"}).exitCode, 0);
-    const ProgramRun sheet =
-        runProgram({"measure", *folder / "sheet.knotspan", "--only", "paths", "--paths", "tessellation",
-                    "--size", "64x64", "--frames", "1", "--tolerances", "4", "--deform", "point", "--json"});
+    const ProgramRun sheet = runSmall(*folder / "sheet.knotspan", {"--deform", "point", "--json"});
     ASSERT_EQ(sheet.exitCode, 0) << sheet.messages;
     const Json rows = Json::parse(sheet.output).at("paths");
     ASSERT_EQ(rows.size(), 1U);
@@ -157,17 +141,13 @@ TEST_F(MeasurePaths, DrawsAMarkerForEachMeasuredRowAndACurveForEachPath)
 {
     const auto svg = readSvg(plot);
     ASSERT_TRUE(svg);
-    size_t measured = 0;
     std::map<std::string, int> series;
-    for (const Json& row : json.at("paths"))
-        if (!row.contains("unavailable")) {
-            ++measured;
-            ++series[seriesOf(row)];
-        }
+    for (const Json& row : measuredRows())
+        ++series[seriesOf(row)];
     size_t curves = 0;
     for (const auto& [name, rows] : series)
         curves += rows > 1 ? 1 : 0;
-    EXPECT_EQ(svg->markers, measured);
+    EXPECT_EQ(svg->markers, measuredRows().size());
     EXPECT_EQ(svg->curves, curves);
     EXPECT_NE(svg->text.find("torus.knotspan"), std::string::npos) << svg->text;
     EXPECT_NE(svg->text.find("every control point moves"), std::string::npos) << svg->text;
@@ -175,9 +155,7 @@ TEST_F(MeasurePaths, DrawsAMarkerForEachMeasuredRowAndACurveForEachPath)
 
 TEST_F(MeasurePaths, TheTableNamesEveryPathAndTakesThoseThatAreAskedFor)
 {
-    const ProgramRun table =
-        runProgram({"measure", model, "--only", "paths", "--size", "64x64", "--frames", "1", "--tolerances",
-                    "4", "--paths", "tessellation", "--evaluators", "auto,triangular", "--deform", "none"});
+    const ProgramRun table = runSmall(model, {"--evaluators", "auto,triangular", "--deform", "none"});
     ASSERT_EQ(table.exitCode, 0) << table.messages;
     const size_t first = table.output.find("\ntessellation");
     ASSERT_NE(first, std::string::npos) << table.output;
@@ -188,18 +166,15 @@ TEST_F(MeasurePaths, TheTableNamesEveryPathAndTakesThoseThatAreAskedFor)
 
 TEST_F(MeasurePaths, WithoutADeviceEachRowSaysWhy)
 {
-    // The loader's variable is one of these, by its age.
-    ::setenv("VK_DRIVER_FILES", "/absent.json", 1);
-    ::setenv("VK_ICD_FILENAMES", "/absent.json", 1);
-    const ProgramRun bare = runProgram({"measure", model, "--only", "paths", "--json", "--plot", plot});
-    ::unsetenv("VK_DRIVER_FILES");
-    ::unsetenv("VK_ICD_FILENAMES");
+    const WithoutDevice none;
+    const std::string empty = *folder / "empty.svg";
+    const ProgramRun bare = runProgram({"measure", model, "--only", "paths", "--json", "--plot", empty});
     ASSERT_EQ(bare.exitCode, 0) << bare.messages;
     const Json rows = Json::parse(bare.output).at("paths");
     EXPECT_EQ(rows.size(), 2 * paths().size());
     for (const Json& row : rows)
         EXPECT_NE(row.at("unavailable").get<std::string>().find("Vulkan"), std::string::npos) << row;
-    EXPECT_EQ(readSvg(plot)->markers, 0U);
+    EXPECT_EQ(readSvg(empty)->markers, 0U);
 }
 
 TEST_F(MeasurePaths, RefusesWrongOptions)

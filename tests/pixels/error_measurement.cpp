@@ -5,9 +5,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "model/samples/sample_list.h"
 #include "renderer/leak_count.h"
-#include "shaders/shared/layouts.h"
 #include "tests/random_surface.h"
 
 namespace knotspan::testing {
@@ -48,17 +46,6 @@ std::vector<PathInfo> boundPaths(Renderer& renderer)
             list.push_back(path);
     }
     return list;
-}
-
-void expectPromiseKept(Renderer& renderer, Frame frame)
-{
-    frame.shading = Shading::error;
-    const auto stats = renderer.draw(frame);
-    ASSERT_TRUE(stats) << stats.error().sentence();
-    EXPECT_LE(stats->errorPxMax.value(), frame.tolerancePx + KNOTSPAN_ERROR_NOISE_PX);
-    if (stats->errorBoundPx) {
-        EXPECT_LE(*stats->errorPxMax, *stats->errorBoundPx + KNOTSPAN_ERROR_NOISE_PX);
-    }
 }
 
 std::uint64_t leaks(Renderer& renderer, const Scene& scene, const Frame& frame, double errorPx)

@@ -1,4 +1,4 @@
-// What tests of the promise share: frames that measure their error, from anywhere.
+// What the tests of the promise and of its measurement share: views from anywhere, leaks.
 #pragma once
 
 #include <random>
@@ -17,9 +17,6 @@ namespace knotspan::testing {
 
 // The available paths whose own sampling rule is the error bound, by drawing with each.
 [[nodiscard]] std::vector<PathInfo> boundPaths(Renderer& renderer);
-
-// Draws the frame with the error measured and expects it to be within the tolerance.
-void expectPromiseKept(Renderer& renderer, Frame frame);
 
 // Of a closed model that is drawn already, with `errorPx` (countLeaks).
 [[nodiscard]] std::uint64_t leaks(Renderer& renderer, const Scene& scene, const Frame& frame, double errorPx);

@@ -1,7 +1,12 @@
 // The promise: no pixel further from the truth than the tolerance and no background inside a closed model, on
 // every path whose own rule is the error bound. KNOTSPAN_SWEEP=100 takes the whole sweep, 100 views of each
 // sample at each tolerance; without it a part of it.
+#include <algorithm>
+#include <utility>
+
 #include "model/samples/sample_list.h"
+#include "renderer/leak_count.h"
+#include "shaders/shared/layouts.h"
 #include "tests/pixels/error_measurement.h"
 #include "tests/random_surface.h"
 
@@ -9,6 +14,86 @@ namespace knotspan::testing {
 namespace {
 
 constexpr double kTolerances[] = {0.25, 0.5, 1, 4};
+
+// How many of a test's pixels may be of triangles too thin to tell which of their points is shown, so that
+// only their place is held to the tolerance. Measured: 0.00013 on `extremes`, more in large pictures, none
+// elsewhere (docs/measurements.md).
+double lostShare()
+{
+    return isWholeSweep() ? 1e-2 : 5e-4;
+}
+
+// What all of the tests do: one scene after the other, drawn by every path from one camera after the other.
+class Promise : public ::testing::Test {
+protected:
+    void SetUp() override
+    {
+        renderer_ = sharedRenderer();
+        if (renderer_ == nullptr)
+            GTEST_SKIP() << "no Vulkan device here";
+        paths_ = boundPaths(*renderer_);
+        if (paths_.empty())
+            GTEST_SKIP() << "no path here samples by the error bound";
+        frame_.width = isWholeSweep() ? 640 : 240;
+        frame_.height = isWholeSweep() ? 480 : 180;
+        frame_.shading = Shading::error;
+    }
+
+    void TearDown() override
+    {
+        EXPECT_LE(static_cast<double>(lost_), lostShare() * static_cast<double>(shown_));
+        RecordProperty("shown", std::to_string(shown_));
+        RecordProperty("lost", std::to_string(lost_));
+    }
+
+    void show(Scene scene, bool isClosed = false)
+    {
+        scene_ = std::move(scene);
+        isClosed_ = isClosed;
+        ASSERT_TRUE(renderer_->sync(scene_));
+    }
+
+    // At all tolerances, or at one in turn.
+    void look(const Camera& camera, int view)
+    {
+        frame_.camera = camera;
+        for (const PathInfo& path : paths_)
+            for (int k = 0; k < 4; ++k) {
+                if (!isWholeSweep() && (view + static_cast<int>(path.id)) % 4 != k)
+                    continue;
+                frame_.path = path.id;
+                frame_.tolerancePx = kTolerances[k];
+                SCOPED_TRACE(path.name + ", view " + std::to_string(view) + ", " +
+                             std::to_string(frame_.tolerancePx) + " px");
+                expectKept();
+            }
+    }
+
+private:
+    void expectKept()
+    {
+        const auto stats = renderer_->draw(frame_);
+        ASSERT_TRUE(stats) << stats.error().sentence();
+        const double bound = std::min(frame_.tolerancePx, stats->errorBoundPx.value_or(frame_.tolerancePx));
+        EXPECT_LE(stats->errorPxMax.value(), bound + KNOTSPAN_ERROR_NOISE_PX);
+        lost_ += stats->errorPixelsLost.value();
+        const auto surfaces = renderer_->captureSurfaces();
+        ASSERT_TRUE(surfaces) << surfaces.error().sentence();
+        const auto& indices = surfaces->indices;
+        shown_ += indices.size() - static_cast<size_t>(std::count(indices.begin(), indices.end(), 0U));
+        if (isClosed_) {
+            EXPECT_EQ(countLeaks(scene_, frame_, *surfaces, frame_.tolerancePx), 0U);
+        }
+    }
+
+    Renderer* renderer_ = nullptr;
+    std::vector<PathInfo> paths_;
+    Scene scene_;
+    bool isClosed_ = false;
+    Frame frame_;
+    std::uint64_t shown_ = 0;
+    std::uint64_t lost_ = 0;
+};
 
 bool isClosedSample(const std::string& name)
 {
@@ -21,55 +106,6 @@ Vec3 insideOf(const std::string& name)
     if (name == "torus")
         return {2, 0, 0};
     return name == "knot" ? Vec3(3, 0, 0) : Vec3(0.2, 0.1, -0.3);
-}
-
-std::string described(const PathInfo& path, int view, double tolerance)
-{
-    return path.name + ", view " + std::to_string(view) + ", " + std::to_string(tolerance) + " px";
-}
-
-void expectAllKept(Renderer& renderer, const Scene& scene, const std::string& closedName, const Frame& frame)
-{
-    expectPromiseKept(renderer, frame);
-    if (!closedName.empty()) {
-        EXPECT_EQ(leaks(renderer, scene, frame, frame.tolerancePx), 0U);
-    }
-}
-
-class Promise : public ::testing::TestWithParam<std::string> {
-protected:
-    // All tolerances, or one in turn.
-    static void look(Renderer& renderer, const Scene& scene, const std::string& closedName,
-                     const std::vector<PathInfo>& list, const Camera& camera, int view)
-    {
-        Frame frame;
-        frame.camera = camera;
-        frame.width = isWholeSweep() ? 640 : 240;
-        frame.height = isWholeSweep() ? 480 : 180;
-        for (const PathInfo& path : list)
-            for (int k = 0; k < 4; ++k) {
-                if (!isWholeSweep() && (view + static_cast<int>(path.id)) % 4 != k)
-                    continue;
-                frame.path = path.id;
-                frame.tolerancePx = kTolerances[k];
-                SCOPED_TRACE(described(path, view, frame.tolerancePx));
-                expectAllKept(renderer, scene, closedName, frame);
-            }
-    }
-};
-
-TEST_P(Promise, IsKeptFromAnywhere)
-{
-    KNOTSPAN_NEED_RENDERER(renderer);
-    const std::vector<PathInfo> list = boundPaths(*renderer);
-    if (list.empty())
-        GTEST_SKIP() << "no path here samples by the error bound";
-    const Scene scene = findSample(GetParam())->make();
-    ASSERT_TRUE(renderer->sync(scene));
-    std::mt19937 random(17);
-    for (int view = 0; view < sweepViews(GetParam() == "knot" ? 3 : 8); ++view)
-        look(*renderer, scene, isClosedSample(GetParam()) ? GetParam() : "", list,
-             randomCamera(random, scene.bounds()), view);
 }
 
 std::vector<std::string> sampleNames(bool closed)
@@ -88,18 +124,25 @@ std::string testName(const ::testing::TestParamInfo<std::string>& test)
     return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Sample, Promise, ::testing::ValuesIn(sampleNames(false)), testName);
+class PromiseOfSample : public Promise, public ::testing::WithParamInterface<std::string> {};
 
-class ClosedSample : public Promise {};
-
-TEST_P(ClosedSample, ShowsNoBackgroundFromInside)
+TEST_P(PromiseOfSample, IsKeptFromAnywhere)
 {
-    KNOTSPAN_NEED_RENDERER(renderer);
-    const std::vector<PathInfo> list = boundPaths(*renderer);
-    if (list.empty())
-        GTEST_SKIP() << "no path here samples by the error bound";
     const Scene scene = findSample(GetParam())->make();
-    ASSERT_TRUE(renderer->sync(scene));
+    show(scene, isClosedSample(GetParam()));
+    std::mt19937 random(17);
+    for (int view = 0; view < sweepViews(GetParam() == "knot" ? 3 : 8); ++view)
+        look(randomCamera(random, scene.bounds()), view);
+}
+
+INSTANTIATE_TEST_SUITE_P(Any, PromiseOfSample, ::testing::ValuesIn(sampleNames(false)), testName);
+
+class PromiseOfClosedSample : public PromiseOfSample {};
+
+TEST_P(PromiseOfClosedSample, IsKeptFromInside)
+{
+    const Scene scene = findSample(GetParam())->make();
+    show(scene, true);
     std::mt19937 random(18);
     for (int view = 0; view < sweepViews(4); ++view) {
         Camera camera = randomCamera(random, scene.bounds());
@@ -107,19 +150,15 @@ TEST_P(ClosedSample, ShowsNoBackgroundFromInside)
         camera.target += insideOf(GetParam()) - camera.eye;
         camera.eye = insideOf(GetParam());
         camera.verticalFovDegrees = 75;
-        look(*renderer, scene, GetParam(), list, camera, view);
+        look(camera, view);
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Sample, ClosedSample, ::testing::ValuesIn(sampleNames(true)), testName);
+INSTANTIATE_TEST_SUITE_P(Closed, PromiseOfClosedSample, ::testing::ValuesIn(sampleNames(true)), testName);
 
 // Property: whatever the degrees, knots, weights and view.
-TEST(Promise, IsKeptOnRandomSurfaces)
+TEST_F(Promise, IsKeptOnRandomSurfaces)
 {
-    KNOTSPAN_NEED_RENDERER(renderer);
-    const std::vector<PathInfo> list = boundPaths(*renderer);
-    if (list.empty())
-        GTEST_SKIP() << "no path here samples by the error bound";
     std::mt19937 random(19);
     for (int run = 0; run < sweepViews(10); ++run) {
         RandomSurfaceShape shape;
@@ -130,19 +169,10 @@ TEST(Promise, IsKeptOnRandomSurfaces)
         shape.weightRatio = randomBetween(random, 1, 8);
         shape.clamped = randomBetween(random, 0, 1) < 0.7;
         shape.spanRatio = randomBetween(random, 1, 20);
+        SCOPED_TRACE("degrees " + std::to_string(shape.degreeU) + " and " + std::to_string(shape.degreeV));
         const Scene scene = sceneOf(randomSurface(random, shape));
-        ASSERT_TRUE(renderer->sync(scene));
-        Frame frame;
-        frame.width = 200;
-        frame.height = 150;
-        frame.camera = randomCamera(random, scene.bounds(), isWholeSweep() ? 0.1 : 0.5);
-        frame.tolerancePx = kTolerances[run % 4];
-        for (const PathInfo& path : list) {
-            SCOPED_TRACE(described(path, run, frame.tolerancePx) + ", degrees " +
-                         std::to_string(shape.degreeU) + " and " + std::to_string(shape.degreeV));
-            frame.path = path.id;
-            expectPromiseKept(*renderer, frame);
-        }
+        show(scene);
+        look(randomCamera(random, scene.bounds(), isWholeSweep() ? 0.1 : 0.5), run);
     }
 }
 

@@ -49,7 +49,7 @@ TEST(TessellationAdaptive, SpendsLessWhereTheSurfaceBendsLess)
     const Scene scene = findSample("nine-16")->make();
     Frame frame = frameOf(scene, PathId::tessellationAdaptive);
     const FrameStats adaptive = drawn(*renderer, scene, frame).stats;
-    frame.path = PathId::compute;  // the same grid, all of it
+    frame.path = PathId::cpu;  // the same regular grid, all of it
     EXPECT_LT(static_cast<double>(adaptive.triangles),
               0.95 * static_cast<double>(drawn(*renderer, scene, frame).stats.triangles));
 }

@@ -10,7 +10,7 @@
 #include "model/geometry/evaluation.h"
 #include "model/samples/samples.h"
 #include "renderer/scene/shared_edges.h"
-#include "shaders/shared/borders.glsl"
+#include "shaders/shared/ring.glsl"
 #include "tests/joined_surfaces.h"
 
 namespace knotspan::testing {
@@ -106,10 +106,31 @@ bool isSamePoint(const gpu::GridVertex& a, const gpu::GridVertex& b)
     return a.source == b.source && a.sourceT == b.sourceT;
 }
 
+// The vertices of the ring's chains that lie along one side, each once.
+Line ringAlong(const Model& model, std::uint32_t ksquad, const gpu::DrawnGrid& grid, std::uint32_t side)
+{
+    Line found;
+    const bool alongV = side < SIDE_START_V;
+    const float across = (side & 1U) == 0 ? 0 : 1;
+    for (const bool outer : {true, false})
+        for (std::uint32_t k = 0; k <= (outer ? gpu::outerSteps(grid) : gpu::innerSteps(grid)); ++k) {
+            const auto vertex = gpu::chainVertex(model.source, ksquad, grid, outer, k);
+            if ((alongV ? vertex.t.x : vertex.t.y) == across)
+                found.push_back(vertex);
+        }
+    const auto along = [&](const gpu::GridVertex& vertex) { return alongV ? vertex.t.y : vertex.t.x; };
+    std::stable_sort(found.begin(), found.end(),
+                     [&](const auto& a, const auto& b) { return along(a) < along(b); });
+    found.erase(std::unique(found.begin(), found.end(), isSamePoint), found.end());
+    return found;
+}
+
 // The border vertices of a drawn grid along one side, each once.
 Line drawnAlong(const Model& model, std::uint32_t ksquad, std::uint32_t side, std::uint32_t snap)
 {
     const auto grid = gpu::drawnGrid(model.source, ksquad, snap);
+    if (snap == SNAP_RING)
+        return ringAlong(model, ksquad, grid, side);
     const bool alongV = side < SIDE_START_V;
     const std::uint32_t across = (side & 1U) == 0 ? 0 : (alongV ? grid.u : grid.v);
     Line line;
@@ -199,7 +220,7 @@ TEST(Borders, EdgesHaveTheSameVerticesFromAllSides)
     std::mt19937 random(1);
     forAllModels([&](const std::string& name, Model& model) {
         for (int trial = 0; trial < 12; ++trial)
-            for (const std::uint32_t snap : {SNAP_FALLING, SNAP_NEAREST}) {
+            for (const std::uint32_t snap : {SNAP_FALLING, SNAP_NEAREST, SNAP_RING}) {
                 SCOPED_TRACE(name + ", trial " + std::to_string(trial) + ", snap " + std::to_string(snap));
                 ask(model, random, trial % 2 == 0, trial < 6 ? 5 : 40);
                 ASSERT_NO_FATAL_FAILURE(lookAtEdges(model, snap));
@@ -208,6 +229,7 @@ TEST(Borders, EdgesHaveTheSameVerticesFromAllSides)
 }
 
 struct Triangles {
+    size_t count = 0;
     double area = 0;
     double least = 1;     // signed area of one
     glm::dvec2 box{0.0};  // the widest and the tallest
@@ -220,6 +242,40 @@ void add(Triangles& triangles, const glm::dvec2& a, const glm::dvec2& b, const g
     triangles.least = std::min(triangles.least, area);
     if (std::abs(area) > 1e-12)
         triangles.box = glm::max(triangles.box, glm::max(a, glm::max(b, c)) - glm::min(a, glm::min(b, c)));
+}
+
+// The inside and the ring, whose triangles are told in parts.
+Triangles ringed(const Model& model, std::uint32_t ksquad, std::uint32_t parts)
+{
+    const auto grid = gpu::drawnGrid(model.source, ksquad, SNAP_RING);
+    Triangles triangles;
+    for (std::uint32_t i = 1; i + 1 < grid.u; ++i)
+        for (std::uint32_t j = 1; j + 1 < grid.v; ++j) {
+            const auto at = [&](std::uint32_t a, std::uint32_t b) {
+                return glm::dvec2(gpu::insideVertex(ksquad, grid, a, b).t);
+            };
+            add(triangles, at(i, j), at(i + 1, j), at(i, j + 1));
+            add(triangles, at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+        }
+    const auto at = [&](bool outer, std::uint32_t k) {
+        return glm::dvec2(gpu::chainVertex(model.source, ksquad, grid, outer, k).t);
+    };
+    for (std::uint32_t k = 0; k < parts; ++k) {
+        const auto part = gpu::ringPart(model.source, ksquad, grid, parts, k);
+        for (std::uint32_t number = 0; number < part.outerSteps + part.innerSteps; ++number) {
+            const auto triangle = gpu::ringTriangle(model.source, ksquad, grid, part, number);
+            glm::dvec2 b = at(true, triangle.outer + (triangle.stepsOuter ? 1 : 0));
+            glm::dvec2 c = at(false, triangle.inner);
+            if (!triangle.stepsOuter) {
+                b = at(false, triangle.inner + 1);
+            }
+            if (gpu::runsClockwise(grid))
+                std::swap(b, c);
+            add(triangles, at(true, triangle.outer), b, c);
+            ++triangles.count;
+        }
+    }
+    return triangles;
 }
 
 // Of a KSQuad's drawn grid, its cells cut from (1, 0) to (0, 1) or from (0, 0) to (1, 1).
@@ -242,6 +298,7 @@ Triangles trianglesOf(const Model& model, std::uint32_t ksquad, std::uint32_t sn
     return triangles;
 }
 
+// For SNAP_RING `falling` cuts the ring into several parts.
 void lookAtTriangles(const Model& model, std::uint32_t snap, bool falling)
 {
     for (std::uint32_t ksquad = 0; ksquad < model.source.ksquads.size(); ++ksquad) {
@@ -249,7 +306,8 @@ void lookAtTriangles(const Model& model, std::uint32_t snap, bool falling)
         if (asked.alongU == 0)
             continue;
         SCOPED_TRACE("KSQuad " + std::to_string(ksquad));
-        const Triangles triangles = trianglesOf(model, ksquad, snap, falling);
+        const Triangles triangles = snap == SNAP_RING ? ringed(model, ksquad, falling ? 3 : 1)
+                                                      : trianglesOf(model, ksquad, snap, falling);
         ASSERT_NEAR(triangles.area, 1, 1e-5);
         ASSERT_GE(triangles.least, -1e-7);
         // But for the rounding of parameters.
@@ -267,7 +325,7 @@ TEST(Borders, TrianglesCoverTheirKsQuadOnceAndAreNoLargerThanAsked)
     forAllModels([&](const std::string& name, Model& model) {
         for (int trial = 0; trial < 12; ++trial)
             for (const bool falling : {true, false})
-                for (const std::uint32_t snap : {SNAP_FALLING, SNAP_NEAREST}) {
+                for (const std::uint32_t snap : {SNAP_FALLING, SNAP_NEAREST, SNAP_RING}) {
                     if (snap == SNAP_FALLING && !falling)
                         continue;
                     SCOPED_TRACE(name + ", trial " + std::to_string(trial) + ", snap " +
@@ -278,6 +336,25 @@ TEST(Borders, TrianglesCoverTheirKsQuadOnceAndAreNoLargerThanAsked)
     });
 }
 
+// Where edges have as many vertices as the grid asks for, the ring takes no more triangles than cells would.
+TEST(Borders, ARingHasATriangleForEachOfItsVerticesButNoMore)
+{
+    std::mt19937 random(4);
+    forAllModels([&](const std::string& name, Model& model) {
+        SCOPED_TRACE(name);
+        ask(model, random, true, 9);
+        for (std::uint32_t ksquad = 0; ksquad < model.source.ksquads.size(); ++ksquad) {
+            const auto grid = gpu::drawnGrid(model.source, ksquad, SNAP_RING);
+            size_t wanted = 0;
+            for (std::uint32_t side = 0; side < 4; ++side)
+                wanted += grid.edges[side];
+            wanted += gpu::hasInside(grid) ? 2 * (grid.u + grid.v) - 8 : 0;
+            wanted -= gpu::hasInside(grid) ? 0 : 2;
+            ASSERT_EQ(ringed(model, ksquad, 1).count, wanted) << "KSQuad " << ksquad;
+        }
+    });
+}
+
 TEST(Borders, EdgesCutAtRandomHaveTheSameVerticesFromAllSides)
 {
     std::mt19937 random(3);
@@ -285,12 +362,12 @@ TEST(Borders, EdgesCutAtRandomHaveTheSameVerticesFromAllSides)
         const Joined joined = randomRows(random);
         Model model(placed(joined.surfaces));
         ASSERT_FALSE(model.edges.tables().pieces.empty());
-        for (const std::uint32_t snap : {SNAP_FALLING, SNAP_NEAREST}) {
+        for (const std::uint32_t snap : {SNAP_FALLING, SNAP_NEAREST, SNAP_RING}) {
             SCOPED_TRACE("trial " + std::to_string(trial) + ", snap " + std::to_string(snap));
             ask(model, random, trial % 2 == 0, trial % 4 == 0 ? 30 : 4);
             ASSERT_NO_FATAL_FAILURE(lookAtEdges(model, snap));
             ASSERT_NO_FATAL_FAILURE(lookAtTriangles(model, snap, true));
-            if (snap == SNAP_NEAREST) {
+            if (snap != SNAP_FALLING) {
                 ASSERT_NO_FATAL_FAILURE(lookAtTriangles(model, snap, false));
             }
         }

@@ -11,6 +11,7 @@
 #include "model/samples/sample_list.h"
 #include "tests/support.h"
 #include "tests/ui/window_harness.h"
+#include "ui/document_files.h"
 
 namespace knotspan {
 namespace {
@@ -40,26 +41,26 @@ TEST(MainWindow, WhatWentWrongIsPastOnceTheDocumentChangesOrIsSaved)
     const TemporaryFolder folder;
     Answers answers;
     MainWindow window(answering(answers));
-    window.openFiles({sampleFile(folder, "nine-16")});
+    window.files().open({sampleFile(folder, "nine-16")});
     const auto fail = [&] {
         answers.filesToOpen = {QString::fromStdString((folder / "absent.knotspan").string())};
-        window.askAndAdd();
+        window.files().askAndAdd();
         EXPECT_TRUE(window.message().contains("absent.knotspan"));
     };
     fail();
-    window.selectAll();
+    window.action("edit.selectAll")->trigger();
     EXPECT_FALSE(window.message().isEmpty());  // the document is as it was
-    window.deleteSelected();
+    window.action("edit.delete")->trigger();
     EXPECT_EQ(window.message(), QString());
     fail();
-    window.undo();
+    window.action("edit.undo")->trigger();
     EXPECT_EQ(window.message(), QString());
     fail();
-    EXPECT_TRUE(window.save());
+    EXPECT_TRUE(window.files().save());
     EXPECT_EQ(window.message(), QString());
     fail();
     answers.filesToOpen = {QString::fromStdString(sampleFile(folder, "single-100").string())};
-    window.askAndAdd();
+    window.files().askAndAdd();
     EXPECT_EQ(window.message(), QString());
 }
 
@@ -69,26 +70,26 @@ TEST(MainWindow, SaysThatTrimmedFacesAreShownWhole)
     const std::filesystem::path trimmed = trimmedFile(folder);
     Answers answers;
     MainWindow window(answering(answers));
-    window.openFiles({sampleFile(folder, "nine-16")});
+    window.files().open({sampleFile(folder, "nine-16")});
     EXPECT_EQ(window.message(), QString());
-    window.openFiles({trimmed});
+    window.files().open({trimmed});
     EXPECT_TRUE(window.message().startsWith("Trimmed faces are shown whole"))
         << window.message().toStdString();
-    window.selectAll();
-    window.deleteSelected();
+    window.action("edit.selectAll")->trigger();
+    window.action("edit.delete")->trigger();
     EXPECT_FALSE(window.message().isEmpty());  // nothing went wrong, so nothing is put right
-    window.openSample("nine-16");
+    window.files().openSample("nine-16");
     EXPECT_EQ(window.message(), QString());
 
     answers.filesToOpen = {QString::fromStdString(trimmed.string())};
-    window.askAndAdd();
+    window.files().askAndAdd();
     EXPECT_TRUE(window.message().startsWith("Trimmed faces are shown whole"))
         << window.message().toStdString();
     answers.filesToOpen = {QString::fromStdString(sampleFile(folder, "single-100").string())};
-    window.askAndAdd();
+    window.files().askAndAdd();
     EXPECT_EQ(window.message(), QString());  // said already
     window.document().undoStack().setClean();
-    window.openFiles({trimmed, folder / "absent.knotspan"});
+    window.files().open({trimmed, folder / "absent.knotspan"});
     EXPECT_TRUE(window.message().contains("absent.knotspan"));
     EXPECT_TRUE(window.message().contains("Trimmed faces are shown whole"));
 }
@@ -97,7 +98,7 @@ TEST(MainWindow, ASmallWindowKeepsAPicture)
 {
     Answers answers;
     MainWindow window(answering(answers));
-    window.openSample("single-100");
+    window.files().openSample("single-100");
     window.show();
     window.resize(1, 1);
     settle(window);

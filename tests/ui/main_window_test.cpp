@@ -13,6 +13,7 @@
 #include "model/samples/sample_list.h"
 #include "tests/support.h"
 #include "tests/ui/window_harness.h"
+#include "ui/document_files.h"
 #include "ui/panels/stats_panel.h"
 #include "ui/recent_files.h"
 
@@ -78,7 +79,7 @@ TEST(MainWindow, OpensSwitchesDragsUndoesSavesAndReopens)
     KNOTSPAN_NEED_RENDERER(window);
     window.resize(820, 460);
     window.show();
-    window.openFiles({sampleFile(folder, "torus")});
+    window.files().open({sampleFile(folder, "torus")});
     ASSERT_TRUE(settle(window));
     ASSERT_EQ(window.message(), QString());
     EXPECT_TRUE(window.windowTitle().startsWith("torus.knotspan"));
@@ -92,23 +93,23 @@ TEST(MainWindow, OpensSwitchesDragsUndoesSavesAndReopens)
         path->setCurrentIndex(path->findText(QString::fromStdString(info.name)));
         Q_EMIT path->activated(path->currentIndex());
         ASSERT_TRUE(settle(window));
-        EXPECT_EQ(window.stats().shown("path").toStdString(), info.name);
+        EXPECT_EQ(statsOf(window).shown("path").toStdString(), info.name);
         const QImage image = picture(window);
         if (first.isNull())
             first = image;
         EXPECT_LT(differingPixels(image, first, 24), image.width() * image.height() / 100) << info.name;
     }
 
-    const QString drawnAll = window.stats().shown("ksquads_drawn");
+    const QString drawnAll = statsOf(window).shown("ksquads_drawn");
     for (auto* check : window.findChildren<QCheckBox*>(QRegularExpression("^culling-")))
         check->click();
     ASSERT_TRUE(settle(window));
-    EXPECT_EQ(window.stats().shown("culling").toStdString().find("none"), std::string::npos);
-    EXPECT_NE(window.stats().shown("ksquads_drawn"), drawnAll);
+    EXPECT_EQ(statsOf(window).shown("culling").toStdString().find("none"), std::string::npos);
+    EXPECT_NE(statsOf(window).shown("ksquads_drawn"), drawnAll);
     for (auto* check : window.findChildren<QCheckBox*>(QRegularExpression("^culling-")))
         check->click();
     ASSERT_TRUE(settle(window));
-    EXPECT_EQ(window.stats().shown("ksquads_drawn"), drawnAll);
+    EXPECT_EQ(statsOf(window).shown("ksquads_drawn"), drawnAll);
 
     const Scene before = window.document().scene();
     const ObjectId object = before.objects().begin()->first;
@@ -146,7 +147,7 @@ TEST(MainWindow, OpensSwitchesDragsUndoesSavesAndReopens)
     EXPECT_EQ(window.message(), QString());
 
     MainWindow other(answering(answers));
-    other.openFiles({folder / "dragged.knotspan"});
+    other.files().open({folder / "dragged.knotspan"});
     EXPECT_TRUE(other.document().scene() == dragged);
 }
 
@@ -164,21 +165,21 @@ TEST(MainWindow, SaysWhatIsWrongWithABadFileAndGoesOn)
     };
     Answers answers;
     MainWindow window(answering(answers));
-    window.openSample("single-100");
+    window.files().openSample("single-100");
     const Scene before = window.document().scene();
     for (const auto& [name, content] : bad) {
         writeFile(folder / name, content);
-        window.openFiles({folder / name});
+        window.files().open({folder / name});
         EXPECT_TRUE(window.message().contains(QString::fromStdString(name)))
             << window.message().toStdString();
         EXPECT_TRUE(window.document().scene() == before) << name;
         EXPECT_FALSE(recentFiles::all().contains(QString::fromStdString((folder / name).string())));
     }
-    window.openFiles({folder.path()});
+    window.files().open({folder.path()});
     EXPECT_FALSE(window.message().isEmpty());
-    window.openFiles({folder / "absent.knotspan"});
+    window.files().open({folder / "absent.knotspan"});
     EXPECT_FALSE(window.message().isEmpty());
-    window.openFiles({sampleFile(folder, "nine-16")});
+    window.files().open({sampleFile(folder, "nine-16")});
     EXPECT_EQ(window.message(), QString());
     EXPECT_EQ(window.document().scene().objects().size(), 9U);
 }
@@ -188,7 +189,7 @@ TEST(MainWindow, AddsTheFurtherFilesToTheFirst)
     const TemporaryFolder folder;
     Answers answers;
     MainWindow window(answering(answers));
-    window.openFiles(
+    window.files().open(
         {sampleFile(folder, "nine-16"), folder / "absent.knotspan", sampleFile(folder, "single-100")});
     EXPECT_EQ(window.document().scene().objects().size(), 10U);
     EXPECT_TRUE(window.message().contains("absent.knotspan"));
@@ -215,13 +216,13 @@ TEST(MainWindow, AsksBeforeChangesAreLost)
     Answers answers;
     answers.saveChanges = SaveAnswer::cancel;
     MainWindow window(answering(answers));
-    window.openSample("nine-16");
+    window.files().openSample("nine-16");
     window.show();
     EXPECT_EQ(answers.askedToSave, 0);
-    window.selectAll();
-    window.deleteSelected();
+    window.action("edit.selectAll")->trigger();
+    window.action("edit.delete")->trigger();
     EXPECT_TRUE(window.document().scene().objects().empty());
-    window.openSample("hull");
+    window.files().openSample("hull");
     EXPECT_EQ(answers.askedToSave, 1);
     EXPECT_TRUE(window.document().scene().objects().empty());
     EXPECT_FALSE(window.close());
@@ -241,9 +242,9 @@ TEST(MainWindow, ASaveThatFailsKeepsTheWindowOpen)
     answers.saveChanges = SaveAnswer::save;
     answers.fileToSave = QString::fromStdString((folder / "no/such/folder/it.knotspan").string());
     MainWindow window(answering(answers));
-    window.openSample("nine-16");
-    window.selectAll();
-    window.deleteSelected();
+    window.files().openSample("nine-16");
+    window.action("edit.selectAll")->trigger();
+    window.action("edit.delete")->trigger();
     EXPECT_FALSE(window.close());
     EXPECT_FALSE(window.message().isEmpty());
     EXPECT_TRUE(window.document().isModified());
@@ -256,7 +257,7 @@ TEST(MainWindow, RemembersTheRecentFiles)
     Answers answers;
     MainWindow window(answering(answers));
     for (const char* name : {"nine-16", "single-100", "nine-16"})
-        window.openFiles({sampleFile(folder, name)});
+        window.files().open({sampleFile(folder, name)});
     const QStringList expected = {QString::fromStdString((folder / "nine-16.knotspan").string()),
                                   QString::fromStdString((folder / "single-100.knotspan").string())};
     EXPECT_EQ(recentFiles::all(), expected);
@@ -272,7 +273,7 @@ TEST(MainWindow, WorksWithoutADevice)
     {
         MainWindow window(answering(answers));
         ASSERT_EQ(window.viewport().renderer(), nullptr);
-        window.openSample("nine-16");
+        window.files().openSample("nine-16");
         window.show();
         settle(window);
         for (const char* id : {"view.fit", "view.front", "view.nets", "edit.selectAll", "edit.delete",
@@ -283,14 +284,14 @@ TEST(MainWindow, WorksWithoutADevice)
         EXPECT_TRUE(window.close());
     }
     MainWindow window(answering(answers));
-    window.openSample("nine-16");
+    window.files().openSample("nine-16");
     window.show();
     for (const char* name : {"VK_ICD_FILENAMES", "VK_DRIVER_FILES"})
         qunsetenv(name);
     window.viewport().restart();
     KNOTSPAN_NEED_RENDERER(window);
     ASSERT_TRUE(settle(window));
-    EXPECT_FALSE(window.stats().shown("triangles").isEmpty());
+    EXPECT_FALSE(statsOf(window).shown("triangles").isEmpty());
 }
 
 }  // namespace

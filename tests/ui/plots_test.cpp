@@ -99,6 +99,35 @@ TEST(PlotAxis, HoldsAllValuesInOrder)
     EXPECT_EQ(tickText(1e6), "1e6");
 }
 
+TEST(PlotAxis, GoesNoFurtherThanItsValuesNeed)
+{
+    const auto ends = [](const std::vector<double>& values) {
+        const auto ticks = PlotAxis(values, 0, 1).ticks();
+        return std::pair(tickText(ticks.front().value), tickText(ticks.back().value));
+    };
+    using Ends = std::pair<std::string, std::string>;
+    EXPECT_EQ(ends({12, 75}), Ends("10", "100"));
+    EXPECT_EQ(ends({24, 130}), Ends("20", "200"));
+    EXPECT_EQ(ends({0.17, 7.7}), Ends("0.1", "10"));
+    EXPECT_EQ(ends({3}), Ends("2", "5"));
+    EXPECT_EQ(ends({10}), Ends("5", "20"));
+    EXPECT_EQ(ends({4e-16, 3e-7}), Ends("1e-16", "1e-6"));
+    EXPECT_EQ(ends({}), Ends("0.5", "2"));
+}
+
+TEST(PlotAxis, LabelsAtMostADozenDecades)
+{
+    for (const double high : {1e3, 1e7, 1e12, 1e13, 1e24, 1e60}) {
+        const PlotAxis axis({2, high}, 0, 1);
+        int labels = 0;
+        for (const PlotAxis::Tick& tick : axis.ticks())
+            labels += tick.labelled ? 1 : 0;
+        EXPECT_GE(labels, 4) << high;
+        EXPECT_LE(labels, 14) << high;
+        EXPECT_DOUBLE_EQ(axis.pixel(axis.ticks().back().value), 1) << high;
+    }
+}
+
 TEST(PlotSvg, HasEveryPlotOneBelowTheOther)
 {
     QBuffer buffer;

@@ -82,6 +82,8 @@ TEST(SpeedDialog, TheActionOpensItMeasuresAndCancelStopsItBeforeTheEnd)
     EXPECT_FALSE(cancel->isEnabled());
     ASSERT_TRUE(dialog->hasFindings());
     EXPECT_FALSE(dialog->rows().back().measured);
+    const auto* details = dialog->findChild<QLabel*>("details");
+    EXPECT_TRUE(details->text().contains("Stopped after")) << details->text().toStdString();
     settle(*window);
     EXPECT_EQ(differingPixels(picture(*window), before), 0);  // the viewport's renderer had no part in it
 }

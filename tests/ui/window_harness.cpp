@@ -1,4 +1,5 @@
 #include "tests/ui/window_harness.h"
+#include "ui/document_files.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -49,11 +50,16 @@ bool settle(MainWindow& window)
 std::unique_ptr<MainWindow> shownWindow(Answers& answers, const std::string& sample)
 {
     auto window = std::make_unique<MainWindow>(answering(answers));
-    window->openSample(sample);
+    window->files().openSample(sample);
     window->resize(820, 460);
     window->show();
     settle(*window);
     return window;
+}
+
+StatsPanel& statsOf(MainWindow& window)
+{
+    return *window.findChild<StatsPanel*>();
 }
 
 std::filesystem::path sampleFile(const TemporaryFolder& folder, const std::string& name)

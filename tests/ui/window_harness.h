@@ -10,6 +10,7 @@
 
 #include "tests/support.h"
 #include "ui/main_window.h"
+#include "ui/panels/stats_panel.h"
 
 namespace knotspan::testing {
 
@@ -29,6 +30,9 @@ bool settle(MainWindow& window);
 
 // A small window (software Vulkan is slow) with a sample, shown and drawn.
 [[nodiscard]] std::unique_ptr<MainWindow> shownWindow(Answers& answers, const std::string& sample);
+
+// The figures beside the picture.
+[[nodiscard]] StatsPanel& statsOf(MainWindow& window);
 
 // A file of a sample.
 [[nodiscard]] std::filesystem::path sampleFile(const TemporaryFolder& folder, const std::string& name);

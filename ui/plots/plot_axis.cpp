@@ -7,40 +7,60 @@
 
 namespace knotspan {
 
+namespace {
+
+constexpr int kMostFineDecades = 3;  // with more, only whole ones are marked
+
+// 1, 2, 5, 10, 20, …: the k-th, also below 0.
+double roundNumber(int k)
+{
+    const int decade = static_cast<int>(std::floor(k / 3.0));
+    constexpr double kParts[] = {1, 2, 5};
+    return kParts[k - 3 * decade] * std::pow(10.0, decade);
+}
+
+}  // namespace
+
 PlotAxis::PlotAxis(const std::vector<double>& values, double start, double end) : start_(start), end_(end)
 {
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
     for (const double value : values)
         if (value > 0) {
-            low = std::min(low, std::log10(value));
-            high = std::max(high, std::log10(value));
+            low = std::min(low, value);
+            high = std::max(high, value);
         }
     if (low > high)
-        low = high = 0;
-    // No marker in a corner.
-    constexpr double kMargin = 0.1;
-    low_ = static_cast<int>(std::floor(low - kMargin));
-    high_ = static_cast<int>(std::ceil(high + kMargin));
+        low = high = 1;
+    constexpr double kMargin = 1.1;  // no marker in a corner
+    low /= kMargin;
+    high *= kMargin;
+    first_ = 3 * static_cast<int>(std::floor(std::log10(low)));
+    last_ = 3 * static_cast<int>(std::ceil(std::log10(high)));
+    if (last_ - first_ > 3 * kMostFineDecades)
+        return;
+    while (roundNumber(first_ + 1) <= low)
+        ++first_;
+    while (roundNumber(last_ - 1) >= high)
+        --last_;
 }
 
 double PlotAxis::pixel(double value) const
 {
     if (!(value > 0))
         return start_;
-    return start_ + (std::log10(value) - low_) / (high_ - low_) * (end_ - start_);
+    const double low = std::log10(roundNumber(first_));
+    const double high = std::log10(roundNumber(last_));
+    return start_ + (std::log10(value) - low) / (high - low) * (end_ - start_);
 }
 
 std::vector<PlotAxis::Tick> PlotAxis::ticks() const
 {
-    const int step = (high_ - low_ + 11) / 12;
     std::vector<Tick> result;
-    for (int decade = low_; decade <= high_; ++decade) {
-        result.push_back({std::pow(10.0, decade), (decade - low_) % step == 0});
-        if (high_ - low_ <= 3 && decade < high_)
-            for (const int part : {2, 5})
-                result.push_back({part * std::pow(10.0, decade), true});
-    }
+    const bool isFine = last_ - first_ <= 3 * kMostFineDecades;
+    const int labelled = isFine ? 1 : 3 * ((last_ - first_ + 33) / 36);
+    for (int k = first_; k <= last_; k += isFine ? 1 : 3)
+        result.push_back({roundNumber(k), (k - first_) % labelled == 0});
     return result;
 }
 

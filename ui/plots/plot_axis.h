@@ -1,4 +1,4 @@
-// A logarithmic axis over whole decades.
+// A logarithmic axis: from one of 1, 2, 5, 10, 20, … to another, or over whole decades where there are many.
 #pragma once
 
 #include <string>
@@ -23,8 +23,8 @@ public:
 private:
     double start_;
     double end_;
-    int low_;
-    int high_;
+    int first_;  // of those numbers; 0 is 1, 3 is 10
+    int last_;
 };
 
 // 0.01, 20, 1e-7, 1e6

@@ -4,156 +4,51 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
-#include "model/analysis/net_on_screen.h"
 #include "model/samples/sample_list.h"
+#include "tests/grid_sweep.h"
 #include "tests/model/analysis/measured_error.h"
 #include "tests/random_surface.h"
 
 namespace knotspan::testing {
 namespace {
 
-constexpr double kTolerances[] = {0.25, 0.5, 1, 4};
-constexpr double kRounding = 1 + 1e-9;
+constexpr int kHighestU = 6;
 
-// How many views of each model: KNOTSPAN_SWEEP=100 for the whole sweep.
-int viewsOfEach(int normally)
+void measure(const SeenKsQuad& seen, double tolerance, Triangles triangles, GridSweep& sweep)
 {
-    const char* sweep = std::getenv("KNOTSPAN_SWEEP");
-    return sweep ? std::max(normally, std::atoi(sweep)) : normally;
-}
-
-struct PlacedKsQuad {
-    const NurbsSurface* surface;
-    Mat4 transform;
-    KsQuad quad;
-};
-
-std::vector<PlacedKsQuad> ksQuadsOf(const Scene& scene)
-{
-    std::vector<PlacedKsQuad> result;
-    for (const auto& [id, object] : scene.objects())
-        for (const KsQuad& quad : ksQuads(object->surface))
-            result.push_back({&object->surface, object->transform, quad});
-    return result;
-}
-
-struct SeenNet {
-    BezierNet net;
-    ScreenView view;
-};
-
-// Relative to the surface's centre, so that digits are left far from the origin.
-SeenNet seenNet(const PlacedKsQuad& placed, const RandomView& random)
-{
-    const Vec3 origin = placed.surface->bounds().centre();
-    Mat4 shift(1.0);
-    shift[3] = Vec4(origin, 1);
-    const ScreenView view = screenView(random.toClip * placed.transform * shift, 1920, 1080);
-    return {transformed(BezierConversion(*placed.surface, origin).net(placed.quad), view.toPixels), view};
-}
-
-// What a sweep saw; printed into the results.
-struct Sweep {
-    long ksQuadViews = 0;
-    long violations = 0;
-    long crossingNear = 0;
-    long notKept = 0;
-    long notMeasured = 0;
-    double largestShare = 0;  // of the tolerance
-
-    void record() const
-    {
-        ::testing::Test::RecordProperty("ksquad_views", std::to_string(ksQuadViews));
-        ::testing::Test::RecordProperty("crossing_near", std::to_string(crossingNear));
-        ::testing::Test::RecordProperty("not_kept", std::to_string(notKept));
-        ::testing::Test::RecordProperty("not_measured", std::to_string(notMeasured));
-        ::testing::Test::RecordProperty("largest_share_of_tolerance", std::to_string(largestShare));
-    }
-};
-
-void measure(const SeenNet& seen, double tolerance, Triangles triangles, Sweep& sweep)
-{
-    const NetOnScreen on(seen.net, seen.view);
     const GridChoice choice = chooseGrid(seen.net, seen.view, tolerance, triangles, 1024);
-    ++sweep.ksQuadViews;
-    sweep.crossingNear += on.visible && !on.inFront;
-    if (!choice.kept) {
-        ++sweep.notKept;
+    if (!sweep.takes(seen, choice.grid, choice.kept))
         return;
-    }
-    const Grid& grid = choice.grid;
-    if (grid.cells() > 40000) {
-        ++sweep.notMeasured;
-        return;
-    }
-    const int samples = std::max(grid.cells() > 400 ? 2 : 4, 12 / std::max(grid.u, grid.v));
     double error = 0;
     for (const bool rising : {true, false})
         if (triangles == Triangles::eitherDiagonal || rising == (triangles == Triangles::risingDiagonal))
-            error = std::max(error, measuredError(seen.net, seen.view, grid, rising, samples));
-    sweep.largestShare = std::max(sweep.largestShare, error / tolerance);
-    sweep.violations += !(error <= tolerance * kRounding);
-    EXPECT_LE(error, tolerance * kRounding) << grid.u << " x " << grid.v << " cells";
+            error = std::max(error, errorOfGrid(seen, choice.grid, rising));
+    sweep.judge(error, tolerance, choice.grid);
 }
 
 TEST(GridChoice, KeepsEverySampleWithinTheToleranceInEveryView)
 {
     std::mt19937 random(21);
-    Sweep sweep;
-    for (const Sample& sample : samples()) {
-        const Scene scene = sample.make();
-        const auto quads = ksQuadsOf(scene);
-        for (int k = 0; k < viewsOfEach(10); ++k) {
-            const RandomView view = randomView(random, scene.bounds(), Vec3(0), k % 3 == 2, k % 5 == 4);
-            for (int n = 0; n < 5; ++n) {
-                const SeenNet seen = seenNet(quads[random() % quads.size()], view);
-                for (const double tolerance : kTolerances)
-                    measure(seen, tolerance,
-                            n % 2 == 0   ? Triangles::eitherDiagonal
-                            : k % 2 == 0 ? Triangles::risingDiagonal
-                                         : Triangles::fallingDiagonal,
-                            sweep);
-            }
-        }
-    }
+    GridSweep sweep;
+    sweepSamples(random, viewsOfEach(10), [&](const SeenKsQuad& seen, int view, int pick) {
+        const Triangles oneWay = view % 2 == 0 ? Triangles::risingDiagonal : Triangles::fallingDiagonal;
+        for (const double tolerance : kTolerances)
+            measure(seen, tolerance, pick % 2 == 0 ? Triangles::eitherDiagonal : oneWay, sweep);
+    });
     sweep.record();
-    EXPECT_EQ(sweep.violations, 0);
     EXPECT_GT(sweep.largestShare, 0.9);
-    EXPECT_LT(static_cast<double>(sweep.notMeasured + sweep.notKept),
-              0.05 * static_cast<double>(sweep.ksQuadViews));
-}
-
-NurbsSurface anySurface(std::mt19937& random, int trial)
-{
-    return randomSurface(random, {.degreeU = 1 + trial % 6,
-                                  .degreeV = 1 + (trial * 5) % 7,
-                                  .spans = 2,
-                                  .rational = trial % 3 != 0,
-                                  .spanRatio = trial % 4 == 0 ? 1e3 : 4.0,
-                                  .clamped = trial % 5 != 0,
-                                  .weightRatio = trial % 7 == 0 ? 100.0 : 4.0});
+    EXPECT_LT(sweep.shareLeftOut(), 0.05);
 }
 
 TEST(GridChoice, KeepsWhatShowsOfKsQuadsThroughTheNearPlaneWithinTheTolerance)
 {
     std::mt19937 random(26);
-    Sweep sweep;
-    for (int trial = 0; trial < viewsOfEach(60); ++trial) {
-        const NurbsSurface surface = anySurface(random, trial);
-        const auto quads = ksQuads(surface);
-        const KsQuad quad = quads[random() % quads.size()];
-        const BezierNet net = BezierConversion(surface).net(quad);
-        Box around;  // the eye stands among the KSQuad's own points
-        for (const Vec4& point : net.points)
-            around.add(Vec3(point) / point.w);
-        const RandomView view = randomView(random, around, Vec3(0), true, false);
-        measure({transformed(net, view.view.toPixels), view.view}, kTolerances[trial % 4],
-                Triangles::eitherDiagonal, sweep);
-    }
+    GridSweep sweep;
+    sweepNearPlane(random, viewsOfEach(60), kHighestU, [&](const SeenKsQuad& seen, int trial, int) {
+        measure(seen, kTolerances[trial % 4], Triangles::eitherDiagonal, sweep);
+    });
     sweep.record();
-    EXPECT_EQ(sweep.violations, 0);
     EXPECT_GT(sweep.crossingNear, 15);
     EXPECT_LT(static_cast<double>(sweep.notKept), 0.2 * static_cast<double>(sweep.ksQuadViews));
 }
@@ -161,21 +56,13 @@ TEST(GridChoice, KeepsWhatShowsOfKsQuadsThroughTheNearPlaneWithinTheTolerance)
 TEST(GridChoice, KeepsRandomSurfacesWithinTheTolerance)
 {
     std::mt19937 random(22);
-    Sweep sweep;
-    for (int trial = 0; trial < viewsOfEach(40); ++trial) {
-        const Scene scene = sceneOf(anySurface(random, trial));
-        const auto quads = ksQuadsOf(scene);
-        for (int k = 0; k < 4; ++k) {
-            const RandomView view = randomView(random, scene.bounds(), Vec3(0), k % 2 == 1, k == 2);
-            const SeenNet seen = seenNet(quads[random() % quads.size()], view);
-            measure(seen, kTolerances[(trial + k) % 4],
-                    trial % 2 == 0 ? Triangles::eitherDiagonal : Triangles::risingDiagonal, sweep);
-        }
-    }
+    GridSweep sweep;
+    sweepRandomSurfaces(random, viewsOfEach(40), kHighestU, [&](const SeenKsQuad& seen, int trial, int k) {
+        measure(seen, kTolerances[(trial + k) % 4],
+                trial % 2 == 0 ? Triangles::eitherDiagonal : Triangles::risingDiagonal, sweep);
+    });
     sweep.record();
-    EXPECT_EQ(sweep.violations, 0);
-    EXPECT_LT(static_cast<double>(sweep.notMeasured + sweep.notKept),
-              0.1 * static_cast<double>(sweep.ksQuadViews));
+    EXPECT_LT(sweep.shareLeftOut(), 0.1);
 }
 
 TEST(GridChoice, ForAnyTrianglesHoldsForEachThatFitsIntoACell)
@@ -183,10 +70,9 @@ TEST(GridChoice, ForAnyTrianglesHoldsForEachThatFitsIntoACell)
     std::mt19937 random(23);
     int kept = 0;
     for (int trial = 0; trial < viewsOfEach(30); ++trial) {
-        const Scene scene = sceneOf(anySurface(random, trial));
-        const auto quads = ksQuadsOf(scene);
-        const RandomView view = randomView(random, scene.bounds(), Vec3(0), trial % 3 == 2, false);
-        const SeenNet seen = seenNet(quads[random() % quads.size()], view);
+        const NurbsSurface surface = anySurface(random, trial, kHighestU);
+        const RandomView view = randomView(random, surface.bounds(), Vec3(0), trial % 3 == 2, false);
+        const SeenKsQuad seen = seenIn(view, randomKsQuad(random, surface));
         const GridChoice choice = chooseGrid(seen.net, seen.view, 1.0, Triangles::any, 1024);
         if (!choice.kept)
             continue;
@@ -195,14 +81,7 @@ TEST(GridChoice, ForAnyTrianglesHoldsForEachThatFitsIntoACell)
             const Vec2 cells(choice.grid.u, choice.grid.v);
             const Vec2 cell(std::floor(randomBetween(random, 0, cells.x)),
                             std::floor(randomBetween(random, 0, cells.y)));
-            Vec2 corners[3];
-            for (Vec2& corner : corners) {  // on the cell's border, as those that stitch
-                corner = {randomBetween(random, 0, 1), randomBetween(random, 0, 1)};
-                const auto axis = static_cast<int>(random() % 2);
-                corner[axis] = std::round(corner[axis]);
-                corner = (cell + corner) / cells;
-            }
-            EXPECT_LE(measuredError(seen.net, seen.view, corners, 8), kRounding);
+            EXPECT_LE(errorOfTriangle(random, seen, cell / cells, 1.0 / cells), kRounding);
         }
     }
     EXPECT_GT(kept, 20);
@@ -220,7 +99,7 @@ TEST(GridChoice, SpendsLittleMoreThanTheSmallestGridThatMeasuresWithin)
         const auto quads = ksQuadsOf(scene);
         for (int k = 0; k < viewsOfEach(12); ++k) {
             const RandomView view = randomView(random, scene.bounds(), Vec3(0), false, k % 4 == 3);
-            const SeenNet seen = seenNet(quads[random() % quads.size()], view);
+            const SeenKsQuad seen = seenIn(view, quads[random() % quads.size()]);
             const Grid chosen = chooseGrid(seen.net, seen.view, 0.5, Triangles::risingDiagonal).grid;
             const auto figures = errorFigures(seen.net, 2);
             if (!figures || chosen.cells() < 2 || chosen.cells() > 100)
@@ -312,9 +191,9 @@ TEST(GridChoice, GrowsWithLessEffortAndStillKeepsTheTolerance)
 {
     std::mt19937 random(25);
     for (int trial = 0; trial < 10; ++trial) {
-        const Scene scene = sceneOf(anySurface(random, trial));
-        const RandomView view = randomView(random, scene.bounds(), Vec3(0), false, false);
-        const SeenNet seen = seenNet(ksQuadsOf(scene).front(), view);
+        const NurbsSurface surface = anySurface(random, trial, kHighestU);
+        const RandomView view = randomView(random, surface.bounds(), Vec3(0), false, false);
+        const SeenKsQuad seen = seenIn(view, {&surface, Mat4(1.0), 0});
         for (const ProofEffort effort : {ProofEffort{0, -1}, ProofEffort{4, 1}}) {
             const GridChoice choice =
                 chooseGrid(seen.net, seen.view, 0.5, Triangles::eitherDiagonal, kLargestFactor, effort);

@@ -1,8 +1,8 @@
 // The truth that bounds are tested against: the largest distance on the screen between the triangles of a
-// grid and the surface, measured at many points in double; and views to measure it in.
+// grid and the surface, measured at many points in double.
 #pragma once
 
-#include <random>
+#include <optional>
 
 #include "model/analysis/grid_choice.h"
 #include "model/core/space.h"
@@ -25,15 +25,5 @@ namespace knotspan::testing {
 // Nothing where none does.
 [[nodiscard]] std::optional<Grid> smallestMeasuredGrid(const BezierNet& pixels, const ScreenView& view,
                                                        double tolerance, bool rising, long cells);
-
-// A picture of 1920 x 1080 pixels of the box, from anywhere: from further away than it is large, from close
-// by, from among its points (close: the near plane may then be far from the eye, and cut); with perspective
-// or without. Nets are relative to `origin`.
-struct RandomView {
-    Mat4 toClip{1.0};
-    ScreenView view;
-};
-[[nodiscard]] RandomView randomView(std::mt19937& random, const Box& box, const Vec3& origin, bool close,
-                                    bool orthographic);
 
 }  // namespace knotspan::testing

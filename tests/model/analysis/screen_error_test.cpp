@@ -10,6 +10,7 @@
 #include "model/analysis/net_on_screen.h"
 #include "model/geometry/evaluation.h"
 #include "model/geometry/primitives.h"
+#include "tests/ksquad_views.h"
 #include "tests/model/analysis/measured_error.h"
 #include "tests/random_surface.h"
 

@@ -1,0 +1,166 @@
+#include "ui/document_files.h"
+
+#include <algorithm>
+
+#include <QFileInfo>
+#include <QGuiApplication>
+
+#include "model/samples/sample_list.h"
+#include "ui/message_bar.h"
+#include "ui/recent_files.h"
+
+namespace knotspan {
+namespace fs = std::filesystem;
+
+namespace {
+
+// The hourglass, while a file is read or written.
+struct Busy {
+    Busy() { QGuiApplication::setOverrideCursor(Qt::WaitCursor); }
+    ~Busy() { QGuiApplication::restoreOverrideCursor(); }
+    Busy(const Busy&) = delete;
+    Busy& operator=(const Busy&) = delete;
+};
+
+std::vector<fs::path> pathsOf(const QStringList& names)
+{
+    std::vector<fs::path> paths;
+    for (const QString& name : names)
+        paths.emplace_back(name.toStdString());
+    return paths;
+}
+
+std::ptrdiff_t trimmedFaces(const Scene& scene)
+{
+    return std::count_if(scene.objects().begin(), scene.objects().end(),
+                         [](const auto& entry) { return !entry.second->trimLoops.empty(); });
+}
+
+}  // namespace
+
+DocumentFiles::DocumentFiles(QWidget& window, Document& document, MessageBar& messages, Questions questions)
+    : window_(window),
+      document_(document),
+      messages_(messages),
+      questions_(std::move(questions))
+{
+}
+
+bool DocumentFiles::mayDrop()
+{
+    if (!document_.isModified())
+        return true;
+    switch (questions_.saveChanges(&window_, document_.title())) {
+    case SaveAnswer::save:
+        return save();
+    case SaveAnswer::discard:
+        return true;
+    case SaveAnswer::cancel:
+        break;
+    }
+    return false;
+}
+
+void DocumentFiles::open(const std::vector<fs::path>& files)
+{
+    if (files.empty() || !mayDrop())
+        return;
+    messages_.dismiss();
+    if (openOne(files.front()))
+        add({files.begin() + 1, files.end()}, 0);
+}
+
+bool DocumentFiles::openOne(const fs::path& path)
+{
+    const Busy busy;
+    if (const Result<void> opened = document_.open(path); !opened) {
+        recentFiles::forget(QString::fromStdString(path.string()));
+        report(opened.error());
+        return false;
+    }
+    recentFiles::remember(path);
+    return true;
+}
+
+void DocumentFiles::add(const std::vector<fs::path>& files, std::ptrdiff_t trimmedBefore)
+{
+    const Busy busy;
+    QStringList wrong;  // said at the end: a file that works would clear the message
+    for (const fs::path& path : files)
+        if (const Result<void> added = document_.add(path); !added)
+            wrong << QString::fromStdString(added.error().sentence());
+    QStringList lines = wrong;
+    if (trimmedFaces(document_.scene()) > trimmedBefore)
+        lines << tr("Trimmed faces are shown whole: this version keeps their trim loops but does not draw "
+                    "them yet.");
+    if (!wrong.isEmpty())
+        messages_.say(lines.join('\n'));
+    else if (!lines.isEmpty())
+        messages_.note(lines.join('\n'));
+}
+
+void DocumentFiles::openSample(const std::string& name)
+{
+    const Sample* sample = findSample(name);
+    if (sample == nullptr || !mayDrop())
+        return;
+    messages_.dismiss();
+    const Busy busy;
+    document_.reset(sample->make(), tr("Sample: %1").arg(QString::fromStdString(name)));
+}
+
+void DocumentFiles::askAndOpen()
+{
+    open(pathsOf(questions_.filesToOpen(&window_, tr("Open a model"), readFilters())));
+}
+
+void DocumentFiles::askAndAdd()
+{
+    const auto files = pathsOf(questions_.filesToOpen(&window_, tr("Add to this model"), readFilters()));
+    if (files.empty())
+        return;
+    messages_.dismiss();
+    add(files, trimmedFaces(document_.scene()));
+}
+
+bool DocumentFiles::save()
+{
+    if (document_.file().empty())
+        return saveAs();
+    messages_.dismissTrouble();
+    const Busy busy;
+    if (const Result<void> saved = document_.save(); !saved) {
+        report(saved.error());
+        return false;
+    }
+    return true;
+}
+
+bool DocumentFiles::saveAs()
+{
+    const fs::path known = document_.file();
+    QString proposal = QString::fromStdString(known.string());
+    if (known.empty())
+        proposal = QFileInfo(document_.title().section(": ", -1)).completeBaseName() + ".knotspan";
+    const QString name = questions_.fileToSave(&window_, proposal, writeFilters());
+    if (name.isEmpty())
+        return false;
+    fs::path path = name.toStdString();
+    if (!path.has_extension())
+        path += ".knotspan";
+    messages_.dismissTrouble();
+    const Busy busy;
+    if (const Result<void> saved = document_.saveAs(path); !saved) {
+        report(saved.error());
+        return false;
+    }
+    recentFiles::remember(path);
+    return true;
+}
+
+void DocumentFiles::report(const Error& error)
+{
+    messages_.say(QString::fromStdString(error.sentence()));
+}
+
+}  // namespace knotspan

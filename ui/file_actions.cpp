@@ -1,0 +1,41 @@
+// The menu File.
+#include "ui/action_rows.h"
+#include "ui/document_files.h"
+
+namespace knotspan {
+
+const std::vector<ActionInfo>& fileActions()
+{
+    static const std::vector<ActionInfo> kList = {
+        {.id = "file.open",
+         .text = TEXT("&Open…"),
+         .shortcuts = {QKeySequence::Open},
+         .tip = TEXT("Open a model in place of this one"),
+         .run = [](Window& w, bool) { w.files().askAndOpen(); }},
+        {.id = "file.add",
+         .text = TEXT("&Add…"),
+         .shortcuts = {QKeySequence("Ctrl+Shift+O")},
+         .tip = TEXT("Add the objects of another file to this model"),
+         .run = [](Window& w, bool) { w.files().askAndAdd(); }},
+        {.id = "file.save",
+         .text = TEXT("&Save"),
+         .shortcuts = {QKeySequence::Save},
+         .tip = TEXT("Write the model to its file"),
+         .run = [](Window& w, bool) { w.files().save(); },
+         .separated = true},
+        {.id = "file.saveAs",
+         .text = TEXT("Save &as…"),
+         .shortcuts = {QKeySequence("Ctrl+Shift+S")},
+         .tip = TEXT("Write the model to another file"),
+         .run = [](Window& w, bool) { w.files().saveAs(); }},
+        {.id = "file.quit",
+         .text = TEXT("&Quit"),
+         .shortcuts = {QKeySequence("Ctrl+Q")},
+         .tip = TEXT("Close the window"),
+         .run = [](Window& w, bool) { w.close(); },
+         .separated = true},
+    };
+    return kList;
+}
+
+}  // namespace knotspan

@@ -1,0 +1,50 @@
+// The menu Help.
+#include <QMessageBox>
+
+#include "ui/action_rows.h"
+#include "ui/keys_dialog.h"
+
+namespace knotspan {
+
+namespace {
+
+void showKeys(Window& window)
+{
+    broughtUp<KeysDialog>(window, [&] { return new KeysDialog(&window); });
+}
+
+void showAbout(Window& window)
+{
+    auto* box = new QMessageBox(&window);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setWindowTitle(MainWindow::tr("About Knotspan"));
+    box->setText(MainWindow::tr(
+        "<b>Knotspan</b><p>Shape free-form surfaces and see the exact NURBS: the graphics device "
+        "evaluates the surfaces themselves.</p>"));
+    const Renderer* renderer = window.viewport().renderer();
+    box->setInformativeText(
+        renderer == nullptr
+            ? MainWindow::tr("No graphics device draws at the moment.")
+            : MainWindow::tr("Drawing on %1.").arg(QString::fromStdString(renderer->deviceName())));
+    box->open();
+}
+
+}  // namespace
+
+const std::vector<ActionInfo>& helpActions()
+{
+    static const std::vector<ActionInfo> kList = {
+        {.id = "help.keys",
+         .text = TEXT("&Keys and mouse"),
+         .shortcuts = {QKeySequence("H"), QKeySequence("F1")},
+         .tip = TEXT("List every key and what the mouse does"),
+         .run = [](Window& w, bool) { showKeys(w); }},
+        {.id = "help.about",
+         .text = TEXT("&About Knotspan"),
+         .tip = TEXT("What this program is, and on which device it draws"),
+         .run = [](Window& w, bool) { showAbout(w); }},
+    };
+    return kList;
+}
+
+}  // namespace knotspan

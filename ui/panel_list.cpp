@@ -1,0 +1,44 @@
+#include "ui/panel_list.h"
+
+#include "ui/main_window.h"
+#include "ui/panels/objects_panel.h"
+#include "ui/panels/rendering_panel.h"
+#include "ui/panels/stats_panel.h"
+
+namespace knotspan {
+
+namespace {
+
+// Marks a title for translation.
+#define TITLE(text) QT_TRANSLATE_NOOP("knotspan::Panels", text)
+
+QWidget* makeObjects(MainWindow& window)
+{
+    return new ObjectsPanel(window.document(), window.selection());
+}
+
+QWidget* makeRendering(MainWindow& window)
+{
+    return new RenderingPanel(window.viewport());
+}
+
+QWidget* makeStats(MainWindow& window)
+{
+    auto* panel = new StatsPanel;
+    QObject::connect(&window.viewport(), &Viewport::frameDrawn, panel, &StatsPanel::setStats);
+    return panel;
+}
+
+}  // namespace
+
+const std::vector<PanelInfo>& panelList()
+{
+    static const std::vector<PanelInfo> kList = {
+        {"objects-dock", TITLE("Objects"), Qt::LeftDockWidgetArea, makeObjects},
+        {"rendering-dock", TITLE("Rendering"), Qt::RightDockWidgetArea, makeRendering},
+        {"stats-dock", TITLE("Statistics"), Qt::RightDockWidgetArea, makeStats},
+    };
+    return kList;
+}
+
+}  // namespace knotspan

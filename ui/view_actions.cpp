@@ -1,0 +1,139 @@
+// The menu View: what the viewport draws, and from where.
+#include <algorithm>
+
+#include "ui/action_rows.h"
+#include "ui/speed_dialog.h"
+
+namespace knotspan {
+
+namespace {
+
+template <class Change>
+void change(Window& window, const Change& set)
+{
+    Frame frame = window.viewport().frame();
+    set(frame);
+    window.viewport().setFrame(frame);
+}
+
+bool drawsOnCpu(Window& window)
+{
+    return window.viewport().frame().path == PathId::cpu;
+}
+
+void changeUniformCells(Window& window, int by)
+{
+    constexpr int kFirst = 8;  // where the rule was another
+    constexpr int kMost = 64;
+    change(window, [&](Frame& frame) {
+        SamplingRule& rule = frame.sampling;
+        const bool fixed = rule.kind == SamplingRule::Kind::fixed;
+        rule = {SamplingRule::Kind::fixed, std::clamp(fixed ? rule.count + by : kFirst, 1, kMost)};
+    });
+}
+
+void showSpeed(Window& window)
+{
+    auto& dialog = broughtUp<SpeedDialog>(
+        window, [&] { return new SpeedDialog(window.document(), window.viewport(), &window); });
+    if (!dialog.hasFindings() && !dialog.isMeasuring())
+        dialog.measure();
+}
+
+}  // namespace
+
+const std::vector<ActionInfo>& viewActions()
+{
+    static const std::vector<ActionInfo> kList = {
+        {.id = "view.fit",
+         .text = TEXT("&Fit all"),
+         .shortcuts = {QKeySequence("F")},
+         .tip = TEXT("Bring the whole model into view"),
+         .run = [](Window& w, bool) { w.viewport().fit(); }},
+        {.id = "view.fitSelection",
+         .text = TEXT("Fit &selection"),
+         .shortcuts = {QKeySequence("Shift+F")},
+         .tip = TEXT("Bring the selected objects into view"),
+         .run = [](Window& w, bool) { w.viewport().fitSelection(); },
+         .isEnabled = hasSelection},
+        {.id = "view.iso",
+         .text = TEXT("&Isometric"),
+         .shortcuts = {QKeySequence("0")},
+         .tip = TEXT("Look from a corner, everything in view"),
+         .run = [](Window& w, bool) { w.viewport().look("iso"); },
+         .separated = true},
+        {.id = "view.front",
+         .text = TEXT("F&ront"),
+         .shortcuts = {QKeySequence("1")},
+         .tip = TEXT("Look from the front"),
+         .run = [](Window& w, bool) { w.viewport().look("front"); }},
+        {.id = "view.back",
+         .text = TEXT("&Back"),
+         .shortcuts = {QKeySequence("Ctrl+1")},
+         .tip = TEXT("Look from behind"),
+         .run = [](Window& w, bool) { w.viewport().look("back"); }},
+        {.id = "view.right",
+         .text = TEXT("Ri&ght"),
+         .shortcuts = {QKeySequence("3")},
+         .tip = TEXT("Look from the right"),
+         .run = [](Window& w, bool) { w.viewport().look("right"); }},
+        {.id = "view.left",
+         .text = TEXT("&Left"),
+         .shortcuts = {QKeySequence("Ctrl+3")},
+         .tip = TEXT("Look from the left"),
+         .run = [](Window& w, bool) { w.viewport().look("left"); }},
+        {.id = "view.top",
+         .text = TEXT("&Top"),
+         .shortcuts = {QKeySequence("7")},
+         .tip = TEXT("Look from above"),
+         .run = [](Window& w, bool) { w.viewport().look("top"); }},
+        {.id = "view.bottom",
+         .text = TEXT("Botto&m"),
+         .shortcuts = {QKeySequence("Ctrl+7")},
+         .tip = TEXT("Look from below"),
+         .run = [](Window& w, bool) { w.viewport().look("bottom"); }},
+        {.id = "view.orthographic",
+         .text = TEXT("&Orthographic"),
+         .shortcuts = {QKeySequence("5")},
+         .tip = TEXT("Without perspective: parallel lines stay parallel"),
+         .run = [](Window& w, bool on) { change(w, [on](Frame& frame) { frame.camera.orthographic = on; }); },
+         .isChecked = [](Window& w) { return w.viewport().frame().camera.orthographic; },
+         .separated = true},
+        {.id = "view.nets",
+         .text = TEXT("Control &nets"),
+         .shortcuts = {QKeySequence("N")},
+         .tip = TEXT("Show the control points of every object, not only of the selected ones"),
+         .run = [](Window& w,
+                   bool on) { change(w, [on](Frame& frame) { frame.overlays.controlNets = on; }); },
+         .isChecked = [](Window& w) { return w.viewport().frame().overlays.controlNets; },
+         .separated = true},
+        {.id = "view.knots",
+         .text = TEXT("&Knot lines"),
+         .shortcuts = {QKeySequence("K")},
+         .tip = TEXT("Show where the surfaces' spans meet"),
+         .run = [](Window& w, bool on) { change(w, [on](Frame& frame) { frame.overlays.knotLines = on; }); },
+         .isChecked = [](Window& w) { return w.viewport().frame().overlays.knotLines; }},
+        {.id = "view.moreCells",
+         .text = TEXT("&More cells"),
+         .shortcuts = {QKeySequence("+")},
+         .tip = TEXT("With the path cpu: draw every surface as one cell more each way (sampling fixed:N)"),
+         .run = [](Window& w, bool) { changeUniformCells(w, 1); },
+         .isEnabled = drawsOnCpu,
+         .separated = true},
+        {.id = "view.fewerCells",
+         .text = TEXT("&Fewer cells"),
+         .shortcuts = {QKeySequence("-")},
+         .tip = TEXT("With the path cpu: draw every surface as one cell less each way (sampling fixed:N)"),
+         .run = [](Window& w, bool) { changeUniformCells(w, -1); },
+         .isEnabled = drawsOnCpu},
+        {.id = "view.speed",
+         .text = TEXT("Speed and &accuracy…"),
+         .shortcuts = {QKeySequence("Ctrl+M")},
+         .tip = TEXT("Measure what each path costs on this machine, and how far its picture is off"),
+         .run = [](Window& w, bool) { showSpeed(w); },
+         .separated = true},
+    };
+    return kList;
+}
+
+}  // namespace knotspan
