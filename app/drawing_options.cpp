@@ -37,12 +37,4 @@ void checkView(const std::string& text)
         refuseName("--view", text, namedViews());
 }
 
-CullSet conservativeModes()
-{
-    CullSet set;
-    for (size_t mode = 0; mode < cullModes().size(); ++mode)
-        set.set(static_cast<int>(mode), cullModes()[mode].conservative);
-    return set;
-}
-
 }  // namespace knotspan::app

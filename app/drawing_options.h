@@ -66,7 +66,4 @@ template <class Find>
 // --view; refuses what is no named view.
 void checkView(const std::string& text);
 
-// The default of --culling: every mode that drops nothing that shows.
-[[nodiscard]] CullSet conservativeModes();
-
 }  // namespace knotspan::app

@@ -121,7 +121,7 @@ MeasureRequest parse(const MeasureTexts& texts)
     const PixelSize size = texts.size.empty() ? kDefaultSize : parseSize("--size", texts.size);
     ofPaths.frame.width = size.width;
     ofPaths.frame.height = size.height;
-    ofPaths.frame.culling = conservativeModes();
+    ofPaths.frame.culling = defaultCulling();
     return request;
 }
 

@@ -28,6 +28,7 @@ Frame frameFor(const RenderTexts& texts, const RenderRequest& request, const Sce
     frame.height = request.size.height;
     frame.path = path;
     frame.culling = request.culling;
+    frame.countWrongCulls = texts.countWrong;
     frame.sampling = request.sampling;
     frame.evaluator = request.evaluator;
     frame.tolerancePx = texts.tolerance.value_or(frame.tolerancePx);
@@ -57,7 +58,7 @@ Result<Drawn> draw(Renderer& renderer, const Scene& scene, Frame frame, const Re
         return tl::unexpected(picture.error());
     Drawn drawn{std::move(*picture), combined(stats)};
     if (frame.shading == Shading::error && isClosedModel(scene)) {
-        const auto shown = renderer.captureSurfaces();
+        const auto shown = renderer.captureKsQuads();
         if (!shown)
             return tl::unexpected(shown.error());
         const double error = std::max(frame.tolerancePx, drawn.stats.errorPxMax.value_or(0));

@@ -10,7 +10,7 @@ namespace {
 CullSet parseCulling(const std::string& text)
 {
     if (text.empty())
-        return conservativeModes();
+        return defaultCulling();
     if (const auto set = parseCullSet(text))
         return *set;
     auto known = namesOf(cullModes());
@@ -79,7 +79,11 @@ void addRenderOptions(CLI::App& command, RenderTexts& texts)
         ->check(within(1, 1e6))
         ->type_name("N");
     text("--deform", texts.deform, "What moves between frames: " + joined(deformationNames(), ", "), "WHAT");
-    text("--stats", texts.stats, "Where to write the figures as JSON; - is standard output", "FILE");
+    auto* stats =
+        text("--stats", texts.stats, "Where to write the figures as JSON; - is standard output", "FILE");
+    command
+        .add_flag("--count-wrong", texts.countWrong, "Count in --stats what culling drops though it shows")
+        ->needs(stats);
     addDevice(command, texts.device);
 }
 

@@ -24,6 +24,8 @@ struct ControlPointMark {
     ObjectId object{};
     ControlPointIndex index;
     bool selected = false;  // false: hovered
+
+    [[nodiscard]] bool operator==(const ControlPointMark&) const = default;
 };
 
 struct Overlays {
@@ -33,6 +35,7 @@ struct Overlays {
     std::vector<ObjectId> highlighted;  // objects drawn as selected
     std::vector<ControlPointMark> marks;
 
+    [[nodiscard]] bool operator==(const Overlays&) const = default;
     // Whether anything is drawn from control points.
     [[nodiscard]] bool showNets() const { return controlNets || !netsOf.empty() || !marks.empty(); }
 };
@@ -43,6 +46,7 @@ struct Frame {
     int height = 800;
     PathId path{};
     CullSet culling;
+    bool countWrongCulls = false;  // how often culling drops what shows: costs time, changes nothing
     SamplingRule sampling;  // default: what the path takes by default
     double tolerancePx = 0.5;
     Evaluator evaluator = Evaluator::automatic;  // by the largest degree that shows
@@ -50,6 +54,10 @@ struct Frame {
     std::optional<Wave>
         wave;  // moves control points on the device; paths that do not draw from there stay at rest
     Overlays overlays;
+    // Where culling looks from, if not from `camera`. What it drops is outlined in the colours of the modes.
+    std::optional<Camera> cullingCamera;
+
+    [[nodiscard]] bool operator==(const Frame&) const = default;
 };
 
 }  // namespace knotspan

@@ -8,13 +8,13 @@ namespace knotspan {
 
 namespace {
 
-VkRenderingAttachmentInfo attachment(const Image& image, VkImageLayout layout, VkClearValue clear, bool keep)
+VkRenderingAttachmentInfo attachment(const Image& image, VkImageLayout layout, VkClearValue clear, bool fresh)
 {
     VkRenderingAttachmentInfo info{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
     info.imageView = image.view();
     info.imageLayout = layout;
-    info.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
-    info.storeOp = keep ? VK_ATTACHMENT_STORE_OP_STORE : VK_ATTACHMENT_STORE_OP_DONT_CARE;
+    info.loadOp = fresh ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD;
+    info.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
     info.clearValue = clear;
     return info;
 }
@@ -30,7 +30,8 @@ FrameTargets::FrameTargets(const Device& device, VkExtent2D extent)
       indices_(device, kIndexFormat, extent,
                VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
                VK_IMAGE_ASPECT_COLOR_BIT),
-      depth_(device, kDepthFormat, extent, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
+      depth_(device, kDepthFormat, extent,
+             VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
              VK_IMAGE_ASPECT_DEPTH_BIT),
       onePixel_(device, sizeof(std::uint32_t), Buffer::Place::readBack)
 {
@@ -47,17 +48,21 @@ void FrameTargets::begin(VkCommandBuffer commands)
         commands, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, 0,
         VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT,
         VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT | VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT, true);
+    start(commands, true);
+}
 
+void FrameTargets::start(VkCommandBuffer commands, bool fresh)
+{
     VkClearValue background{};
     background.color = {{static_cast<float>(kBackground[0]) / 255.0F,
                          static_cast<float>(kBackground[1]) / 255.0F,
                          static_cast<float>(kBackground[2]) / 255.0F, 1.0F}};
     const VkClearValue nothing{};
     const VkRenderingAttachmentInfo colours[] = {
-        attachment(colour_, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, background, true),
-        attachment(indices_, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, nothing, true)};
+        attachment(colour_, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, background, fresh),
+        attachment(indices_, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, nothing, fresh)};
     const VkRenderingAttachmentInfo depth =
-        attachment(depth_, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, nothing, false);
+        attachment(depth_, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, nothing, fresh);
     VkRenderingInfo info{VK_STRUCTURE_TYPE_RENDERING_INFO};
     info.renderArea = {{0, 0}, extent_};
     info.layerCount = 1;
@@ -69,6 +74,40 @@ void FrameTargets::begin(VkCommandBuffer commands)
                               0, 1};
     vkCmdSetViewport(commands, 0, 1, &viewport);
     vkCmdSetScissor(commands, 0, 1, &info.renderArea);
+}
+
+void FrameTargets::pause(VkCommandBuffer commands, VkBuffer depths)
+{
+    constexpr VkPipelineStageFlags2 kTests =
+        VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT;
+    constexpr VkAccessFlags2 kDepth =
+        VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT | VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT;
+    constexpr VkPipelineStageFlags2 kCompute = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
+    constexpr VkPipelineStageFlags2 kTransfer = VK_PIPELINE_STAGE_2_TRANSFER_BIT;
+    vkCmdEndRendering(commands);
+    depth_.transition(commands, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, kTests, kDepth, kTransfer,
+                      VK_ACCESS_2_TRANSFER_READ_BIT);
+    // What is made next takes the place of what the drawing stages have read and counted.
+    memoryBarrier(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_WRITE_BIT,
+                  VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+                  VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT);
+    VkBufferImageCopy region{};
+    region.imageSubresource = {VK_IMAGE_ASPECT_DEPTH_BIT, 0, 0, 1};
+    region.imageExtent = {extent_.width, extent_.height, 1};
+    vkCmdCopyImageToBuffer(commands, depth_.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, depths, 1, &region);
+    memoryBarrier(commands, kTransfer, VK_ACCESS_2_TRANSFER_WRITE_BIT, kCompute,
+                  VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT);
+    depth_.transition(commands, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, kTransfer,
+                      VK_ACCESS_2_TRANSFER_READ_BIT, kTests, kDepth);
+}
+
+void FrameTargets::resume(VkCommandBuffer commands)
+{
+    // What was drawn before the pause is drawn over.
+    memoryBarrier(commands, VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
+                  VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT, VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
+                  VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT);
+    start(commands, false);
 }
 
 void FrameTargets::end(VkCommandBuffer commands)
@@ -91,18 +130,18 @@ Picture FrameTargets::read() const
     return picture;
 }
 
-SurfaceIndices FrameTargets::readSurfaces() const
+KsQuadIndices FrameTargets::readKsQuads() const
 {
-    SurfaceIndices surfaces{static_cast<int>(extent_.width), static_cast<int>(extent_.height), {}};
-    surfaces.indices.resize(size_t{1} * extent_.width * extent_.height);
-    const size_t bytes = surfaces.indices.size() * sizeof(surfaces.indices[0]);
+    KsQuadIndices ksquads{static_cast<int>(extent_.width), static_cast<int>(extent_.height), {}};
+    ksquads.indices.resize(size_t{1} * extent_.width * extent_.height);
+    const size_t bytes = ksquads.indices.size() * sizeof(ksquads.indices[0]);
     const Buffer readBack(device_, bytes, Buffer::Place::readBack);
     copyOut(indices_, {{0, 0}, extent_}, readBack);
-    std::memcpy(surfaces.indices.data(), readBack.mapped(), bytes);
-    return surfaces;
+    std::memcpy(ksquads.indices.data(), readBack.mapped(), bytes);
+    return ksquads;
 }
 
-std::uint32_t FrameTargets::surfaceAt(std::uint32_t x, std::uint32_t y) const
+std::uint32_t FrameTargets::ksquadAt(std::uint32_t x, std::uint32_t y) const
 {
     copyOut(indices_, {{static_cast<int>(x), static_cast<int>(y)}, {1, 1}}, onePixel_);
     std::uint32_t index = 0;

@@ -1,4 +1,4 @@
-// The images that a frame is drawn into: colour, the surfaces' indices for picking, and depth.
+// The images that a frame is drawn into: colour, the KSQuads' indices for picking, and depth.
 #pragma once
 
 #include "renderer/renderer.h"
@@ -18,13 +18,18 @@ public:
     // copied.
     void begin(VkCommandBuffer commands);
     void end(VkCommandBuffer commands);
+    // Between begin() and end(): nothing is drawn until resume(), and `depths` gets each pixel's depth so
+    // far.
+    void pause(VkCommandBuffer commands, VkBuffer depths);
+    void resume(VkCommandBuffer commands);
 
     [[nodiscard]] Picture read() const;
-    [[nodiscard]] SurfaceIndices readSurfaces() const;
-    // The index + 1 of the surface at a pixel; 0: the background.
-    [[nodiscard]] std::uint32_t surfaceAt(std::uint32_t x, std::uint32_t y) const;
+    [[nodiscard]] KsQuadIndices readKsQuads() const;
+    // The index + 1 of the KSQuad at a pixel; 0: the background.
+    [[nodiscard]] std::uint32_t ksquadAt(std::uint32_t x, std::uint32_t y) const;
 
 private:
+    void start(VkCommandBuffer commands, bool fresh);
     void copyOut(const Image& image, VkRect2D region, const Buffer& to) const;
 
     const Device& device_;

@@ -22,7 +22,7 @@ PixelMask maskOf(const Scene& scene, const Frame& frame, double errorPx)
 
 }  // namespace
 
-std::uint64_t countLeaks(const Scene& scene, const Frame& frame, const SurfaceIndices& shown, double errorPx)
+std::uint64_t countLeaks(const Scene& scene, const Frame& frame, const KsQuadIndices& shown, double errorPx)
 {
     check(shown.width == frame.width && shown.height == frame.height, "the indices are of this frame");
     const PixelMask mask = maskOf(scene, frame, errorPx);

@@ -111,11 +111,11 @@ Result<Picture> Renderer::capture()
     return guarded([&] { return parts_->targets->read(); }, &parts_->deviceLost);
 }
 
-Result<SurfaceIndices> Renderer::captureSurfaces()
+Result<KsQuadIndices> Renderer::captureKsQuads()
 {
     if (!parts_->lastFrame)
         return failure("There is no picture yet", "Draw a frame first");
-    return guarded([&] { return parts_->targets->readSurfaces(); }, &parts_->deviceLost);
+    return guarded([&] { return parts_->targets->readKsQuads(); }, &parts_->deviceLost);
 }
 
 Result<Pick> Renderer::pick(double x, double y, double radiusPx)

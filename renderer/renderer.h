@@ -27,9 +27,9 @@ struct Picture {
     std::vector<std::uint8_t> rgba;
 };
 
-// Which surface each pixel shows: 0 the background, k the k-th visible object of the scene, counted from 1.
-// Rows from the top, no padding. Colours have no part in it.
-struct SurfaceIndices {
+// Which KSQuad each pixel shows: 0 the background, k the k-th of all visible objects' KSQuads, object by
+// object as Scene has them, counted from 1. Rows from the top, no padding. Colours have no part in it.
+struct KsQuadIndices {
     int width = 0;
     int height = 0;
     std::vector<std::uint32_t> indices;
@@ -113,7 +113,7 @@ public:
     [[nodiscard]] Result<void> sync(const Scene& scene, Joins joins = Joins::anew);
     [[nodiscard]] Result<FrameStats> draw(const Frame& frame);
     [[nodiscard]] Result<Picture> capture();
-    [[nodiscard]] Result<SurfaceIndices> captureSurfaces();
+    [[nodiscard]] Result<KsQuadIndices> captureKsQuads();
     // In the last drawn frame; x, y in pixels from its upper left corner.
     [[nodiscard]] Result<Pick> pick(double x, double y, double radiusPx = 8);
 

@@ -36,6 +36,12 @@ std::uint32_t ruleNumber(SamplingRule::Kind kind)
     }
 }
 
+// The culling modes whose wrong decisions are counted.
+std::uint32_t judgedBits(const Frame& frame, const SurfacePath& path, SamplingRule rule)
+{
+    return frame.countWrongCulls ? path.followed(frame.culling.bits, rule) & CULL_JUDGED : 0;
+}
+
 // A counter of two words.
 std::uint64_t wide(const gpu::uint (&words)[2])
 {
@@ -57,10 +63,14 @@ Renderer::Parts::Parts(std::unique_ptr<Instance> madeInstance, const RendererOpt
       counters(device, bindings),
       clock(device),
       scene(bindings, uploader),
+      facing(bindings, uploader),
       culling(device, bindings),
+      pyramid(device, bindings),
+      wrongCulls(device, bindings),
       sampling(device, bindings),
       wave(device, bindings, uploader),
-      controlNet(device, bindings)
+      controlNet(device, bindings),
+      rejectedOutlines(device, bindings)
 {
     bindings.provide(BINDING_FRAME, frameBuffer_, sizeof(gpu::FrameRecord));
 }
@@ -69,6 +79,7 @@ void Renderer::Parts::sync(const Scene& wanted, Joins joins)
 {
     const auto started = std::chrono::steady_clock::now();
     wanted_ = wanted;
+    noted_.reset();
     largestDegree_ = largestDegree(visibleObjects(wanted_));
     if (!sceneIsHeld_)
         scene.forget();  // nobody knows how far the last one came
@@ -158,18 +169,19 @@ void Renderer::Parts::updateFrameRecord(const Frame& frame, SurfacePath& path, S
         record.taskTiles = limits->taskTiles;
     }
     record.cullBits = frame.culling.bits;
+    record.judgedBits = judgedBits(frame, path, rule);
     record.ksquadCount = scene.ksquadCount();
     record.surfaceCount = static_cast<std::uint32_t>(scene.residents().size());
     record.pointCount = scene.controlPointCount();
     record.shading = static_cast<std::uint32_t>(frame.shading);
     record.flags = (frame.overlays.knotLines ? FRAME_KNOT_LINES : 0U) | (capture ? FRAME_CAPTURE : 0U) |
                    (frame.camera.orthographic ? FRAME_ORTHOGRAPHIC : 0U) |
-                   (frame.shading == Shading::error ? FRAME_MEASURE_ERROR : 0U);
+                   (frame.shading == Shading::error ? FRAME_MEASURE_ERROR : 0U) | verdictFlag_;
     record.captureCapacity = counters.captureCapacity();
     if (path.tiles() && path.tiles()->wholeGrids)
         record.flags |= FRAME_WHOLE_TILES;
     path.prepare({scene, frame.camera, rule, frame.tolerancePx, static_cast<double>(frame.width),
-                  static_cast<double>(frame.height), uploader},
+                  static_cast<double>(frame.height), sides_, facing.arrays(), uploader, verdicts_},
                  record);
     uploadRecord(record);
 }
@@ -182,7 +194,10 @@ FrameStats Renderer::Parts::draw(const Frame& wantedFrame, bool capture)
         frame.wave.reset();
     wish_ = frame.evaluator;
     const Evaluator evaluator = chosenEvaluator(wish_, largestDegree_, Precision::float32);
-    PathVariant variant{specializationFor(evaluator), frame.shading == Shading::error};
+    if (!pathInfo(frame.path).cullsDice)
+        frame.culling.bits &= ~CULL_DICE;
+    PathVariant variant{specializationFor(evaluator), frame.shading == Shading::error,
+                        (frame.culling.bits & CULL_DICE) != 0};
     variant.specialization.captures = capture;
     SurfacePath& path = pathFor(frame.path, variant);
     const PathInfo& info = pathInfo(frame.path);
@@ -201,23 +216,60 @@ FrameStats Renderer::Parts::draw(const Frame& wantedFrame, bool capture)
         scene.useEvaluator(evaluator);
         scene.usePacking(path.packing(), frame.overlays.showNets());
         fitTargets(frame);
-        scene.updateViews(frame.camera, frame.overlays.highlighted);
-        uploaded = drawWhole(frame, path, rule, capture, started);
+        uploaded = noteVerdicts(frame, variant, path, rule, started);
+        prepareCulling(frame, path);
+        uploaded += drawWhole(frame, path, rule, capture, started);
     } catch (...) {
         // Nobody knows what arrived: the next frame sends everything again.
         uploader.forgetAll();
         path.forget();
         scene.forget();
+        facing.forget();
         sceneIsHeld_ = false;
         frameRecord_.reset();
         lastFrame.reset();
+        noted_.reset();
         throw;
     }
     lastFrame = frame;
     lastObjects.clear();
-    for (const Resident& resident : scene.residents())
+    lastFirstKsquads.clear();
+    for (const Resident& resident : scene.residents()) {
         lastObjects.push_back(resident.id);
+        lastFirstKsquads.push_back(resident.firstKsquad);
+    }
     return statsOf(frame, path, rule, uploaded);
+}
+
+// What the culling modes read. A wave moves control points on the device, where nobody knows then which way
+// they face nor what they enclose.
+void Renderer::Parts::prepareCulling(Frame& frame, const SurfacePath& path)
+{
+    if (frame.cullingCamera) {
+        // What that one saw of a body has holes from anywhere else, so that both sides show.
+        frame.culling.bits &= CULL_DICE;
+        sides_ = ShownSides::all(scene.residents().size());
+        scene.updateViews(frame.camera, frame.overlays.highlighted, sides_);
+        return;
+    }
+    if (!path.tiles())
+        frame.culling.bits &= ~CULL_BY_DEPTH;  // it draws all at once
+    if (frame.wave)
+        frame.culling.bits &= ~(CULL_BY_BOX | CULL_BY_RAYS);
+    sides_ = frame.wave ? ShownSides::all(scene.residents().size())
+                        : shownSides.of(scene.residents(), scene.edges(), frame.camera,
+                                        static_cast<double>(frame.width) / frame.height, scene.bounds());
+    FacingStrength strength = FacingStrength::none;
+    if ((frame.culling.bits & CULL_BY_BOX) != 0)
+        strength = FacingStrength::box;
+    if ((frame.culling.bits & CULL_BY_RAYS) != 0)
+        strength = FacingStrength::rays;
+    if (sides_.anyShownAlone() && strength != FacingStrength::none)
+        facing.update(scene.residents(),
+                      scene.packing() == Packing::bezier ? FacingArrays::Origins::bezierNets
+                                                         : FacingArrays::Origins::surfaceNets,
+                      strength);
+    scene.updateViews(frame.camera, frame.overlays.highlighted, sides_);
 }
 
 VkDeviceSize Renderer::Parts::drawWhole(const Frame& frame, SurfacePath& path, SamplingRule rule,
@@ -228,14 +280,19 @@ VkDeviceSize Renderer::Parts::drawWhole(const Frame& frame, SurfacePath& path, S
         wave.forget();
     wave.prepare(scene, frame.wave);
     for (;;) {
+        const Specialization specialization = specializationFor(scene.evaluator());
+        if (usesCullPass(frame, path))
+            culling.prepare(scene.ksquadCount(), specialization, isByOcclusion(frame), scene.isRebuilt());
         if (const auto limits = path.tiles()) {
-            const Specialization specialization = specializationFor(scene.evaluator());
-            culling.prepare(scene.ksquadCount(), specialization);
+            if (isByOcclusion(frame))
+                pyramid.prepare(targets->extent());
             // It evaluates nothing.
             sampling.prepare(scene.ksquadCount(), limits->taskTiles != 0 ? 0 : limits->tilesPerDraw,
                              {.order = specialization.order});
         }
         updateFrameRecord(frame, path, rule, capture);
+        if (frameRecord_->judgedBits != 0)
+            wrongCulls.prepare(specializationFor(scene.evaluator()));
         device.execute([&](VkCommandBuffer commands) {
             wave.recordRest(commands);
             uploaded += uploader.record(commands);
@@ -247,8 +304,8 @@ VkDeviceSize Renderer::Parts::drawWhole(const Frame& frame, SurfacePath& path, S
         counted_ = counters.read();
         path.count(counted_);
         bool room = path.hadRoom(counted_);
-        if (path.tiles() && counted_.tiles > sampling.tileCapacity()) {
-            sampling.makeRoomFor(counted_.tiles);
+        if (path.tiles() && counted_.mostTiles > sampling.tileCapacity()) {
+            sampling.makeRoomFor(counted_.mostTiles);
             room = false;
         }
         if (room)
@@ -260,21 +317,58 @@ void Renderer::Parts::record(VkCommandBuffer commands, const Frame& frame, const
 {
     const bool anything = scene.ksquadCount() > 0;
     counters.clear(commands);
+    if (frame.cullingCamera)
+        waitForVerdicts(commands);
     clock.start(commands);
-    if (anything && path.tiles()) {
-        culling.record(commands);
-        sampling.record(commands);
-    }
-    if (anything)
+    const auto make = [&] {
+        if (path.tiles())
+            sampling.record(commands);
         path.compute(commands);
-    targets->begin(commands);
-    bindings.bind(commands, VK_PIPELINE_BIND_POINT_GRAPHICS);
-    if (anything)
+    };
+    const auto drawMade = [&] {
+        bindings.bind(commands, VK_PIPELINE_BIND_POINT_GRAPHICS);
         path.draw(commands, scene.ksquadCount(), {sampling.draws(), sampling.drawCount()});
+    };
+    if (anything && usesCullPass(frame, path))
+        culling.record(commands);
+    if (!path.tiles() && usesCullPass(frame, path))
+        waitForVerdicts(commands);
+    if (anything)
+        make();
+    targets->begin(commands);
+    if (anything)
+        drawMade();
+    if (anything && path.tiles() && isByOcclusion(frame)) {
+        targets->pause(commands, pyramid.pixels());
+        bindings.bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE);
+        pyramid.record(commands, counters.buffer(), offsetof(gpu::Counters, pyramidLevel));
+        culling.recordRest(commands);
+        make();
+        targets->resume(commands);
+        drawMade();
+    }
+    bindings.bind(commands, VK_PIPELINE_BIND_POINT_GRAPHICS);
+    if (anything && frame.cullingCamera)
+        rejectedOutlines.draw(commands, scene.ksquadCount());
     drawOverlays(commands, frame.overlays);
     targets->end(commands);
     clock.stop(commands);
+    if (anything && frameRecord_->judgedBits != 0)
+        wrongCulls.record(commands, scene.ksquadCount(), specializationFor(scene.evaluator()));
     counters.fetch(commands);
+}
+
+std::optional<ModeCounts> Renderer::Parts::wronglyCulled(const Frame& frame, const SurfacePath& path,
+                                                         SamplingRule rule) const
+{
+    if (!frame.countWrongCulls)
+        return std::nullopt;
+    ModeCounts counts;
+    const std::uint32_t judged = judgedBits(frame, path, rule);
+    for (size_t mode = 0; mode < kCullModeCount; ++mode)
+        if ((judged >> mode & 1U) != 0)
+            counts.emplace_back(cullModes()[mode].name, counted_.wronglyCulled[mode]);
+    return counts;
 }
 
 FrameStats Renderer::Parts::statsOf(const Frame& frame, const SurfacePath& path, SamplingRule rule,
@@ -283,7 +377,8 @@ FrameStats Renderer::Parts::statsOf(const Frame& frame, const SurfacePath& path,
     FrameStats stats;
     stats.device = device.name();
     stats.path = pathInfo(frame.path).name;
-    stats.culling = names(frame.culling);
+    stats.cullingFrozen = frame.cullingCamera.has_value();
+    stats.culling = names(stats.cullingFrozen ? noted_->culling : frame.culling);
     stats.sampling = name(rule);
     stats.evaluator = evaluatorInfo(scene.evaluator()).name;
     stats.tolerancePx = frame.tolerancePx;
@@ -293,9 +388,12 @@ FrameStats Renderer::Parts::statsOf(const Frame& frame, const SurfacePath& path,
     stats.ksquads = scene.ksquadCount();
     stats.ksquadsDrawn = counted_.drawn;
     std::copy(std::begin(counted_.culled), std::end(counted_.culled), stats.ksquadsCulled.begin());
+    stats.wronglyCulled = stats.cullingFrozen ? noted_->wronglyCulled : wronglyCulled(frame, path, rule);
     stats.ksdice = wide(counted_.ksdice);
     stats.triangles = wide(counted_.triangles);
     stats.evaluations = wide(counted_.evaluations);
+    if ((frame.culling.bits & CULL_DICE) != 0)
+        stats.trianglesCulled = wide(counted_.trianglesCulled);
     if (counted_.meshGroups > 0) {
         stats.meshGroups = counted_.meshGroups;
         stats.busyLanes =
@@ -307,7 +405,7 @@ FrameStats Renderer::Parts::statsOf(const Frame& frame, const SurfacePath& path,
     stats.cpuMs = {cpuMs_, cpuMs_, cpuMs_};
     const double gpuMs = clock.milliseconds();
     stats.gpuMs = {gpuMs, gpuMs, gpuMs};
-    if (scene.takeRebuilt())
+    if (std::exchange(rebuiltForVerdicts_, false) || scene.takeRebuilt())
         firstUpload_ = uploaded;
     else
         stats.uploadBytesPerFrame = uploaded;

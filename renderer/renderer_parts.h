@@ -5,18 +5,28 @@
 #include <map>
 
 #include "renderer/culling/cull_pass.h"
+#include "renderer/culling/depth_pyramid.h"
+#include "renderer/culling/wrong_culls.h"
 #include "renderer/frame_targets.h"
 #include "renderer/overlays/control_net.h"
+#include "renderer/overlays/rejected_outlines.h"
 #include "renderer/paths/surface_path.h"
 #include "renderer/point_evaluation.h"
 #include "renderer/sampling/sampling_pass.h"
+#include "renderer/scene/facing_table.h"
 #include "renderer/scene/gpu_scene.h"
+#include "renderer/scene/shown_sides.h"
 #include "renderer/scene/wave_pass.h"
 #include "renderer/stats/gpu_clock.h"
 #include "renderer/stats/gpu_counters.h"
 #include "renderer/vulkan/window_images.h"
 
 namespace knotspan {
+
+[[nodiscard]] inline bool isByOcclusion(const Frame& frame)
+{
+    return (frame.culling.bits & CULL_BY_DEPTH) != 0;
+}
 
 struct Renderer::Parts {
     Parts(std::unique_ptr<Instance> madeInstance, const RendererOptions& options);
@@ -36,16 +46,22 @@ struct Renderer::Parts {
     GpuCounters counters;
     GpuClock clock;
     GpuScene scene;
+    FacingTable facing;
+    ShownSides shownSides;
     CullPass culling;
+    DepthPyramid pyramid;
+    WrongCulls wrongCulls;
     SamplingPass sampling;
     WavePass wave;
     ControlNet controlNet;
+    RejectedOutlines rejectedOutlines;
     std::map<std::pair<PathId, PathVariant>, std::unique_ptr<SurfacePath>>
         paths;  // made when first drawn with
     std::unique_ptr<FrameTargets> targets;
-    // The last frame that was drawn whole, and the objects that its indices stand for.
+    // The last frame that was drawn whole, and the objects whose KSQuads its indices stand for.
     std::optional<Frame> lastFrame;
     std::vector<ObjectId> lastObjects;
+    std::vector<std::uint32_t> lastFirstKsquads;  // of each
     bool deviceLost = false;
 
 private:
@@ -54,7 +70,18 @@ private:
     void checkFrame(const Frame& frame) const;
     void fitTargets(const Frame& frame);
     void updateFrameRecord(const Frame& frame, SurfacePath& path, SamplingRule rule, bool capture);
+    void prepareCulling(Frame& frame, const SurfacePath& path);
+    // Where the frame's culling camera stands still: what it drops is noted then, and kept. Returns the bytes
+    // that travelled.
+    VkDeviceSize noteVerdicts(const Frame& frame, const PathVariant& variant, SurfacePath& path,
+                              SamplingRule rule, std::chrono::steady_clock::time_point started);
+    void provideVerdicts(std::uint32_t ksquads);
+    static void waitForVerdicts(VkCommandBuffer commands);
+    // Whether the culling pass runs: for the paths that draw its list, and to note what is dropped.
+    [[nodiscard]] bool usesCullPass(const Frame& frame, const SurfacePath& path) const;
     void uploadRecord(const gpu::FrameRecord& record);
+    [[nodiscard]] std::optional<ModeCounts> wronglyCulled(const Frame& frame, const SurfacePath& path,
+                                                          SamplingRule rule) const;
     FrameStats statsOf(const Frame& frame, const SurfacePath& path, SamplingRule rule, VkDeviceSize uploaded);
     // Draws until the list of tiles had room. Returns the bytes that travelled.
     VkDeviceSize drawWhole(const Frame& frame, SurfacePath& path, SamplingRule rule, bool capture,
@@ -66,7 +93,18 @@ private:
                                                                         double radiusPx) const;
 
     Buffer frameBuffer_;
-    std::optional<gpu::FrameRecord> frameRecord_;       // what the device holds
+    std::optional<gpu::FrameRecord> frameRecord_;  // what the device holds
+    // What a culling camera that stands still said of each KSQuad, and for which frame from there.
+    struct NotedVerdicts {
+        Frame asked;
+        PathVariant variant;
+        CullSet culling;  // as applied
+        std::optional<ModeCounts> wronglyCulled;
+    };
+    std::optional<NotedVerdicts> noted_;
+    Buffer verdicts_;
+    std::uint32_t verdictFlag_ = 0;    // of the frames that are drawn now: FRAME_..._VERDICTS or none
+    bool rebuiltForVerdicts_ = false;  // the scene was, since the last frame
     std::unique_ptr<PointEvaluation> pointEvaluation_;  // made when first asked
     Scene wanted_;                                      // what the last sync() asked for
     int largestDegree_ = 1;                             // of it
@@ -75,6 +113,7 @@ private:
     std::uint64_t firstUpload_ = 0;
     // Of the last frame.
     gpu::Counters counted_{};
+    SideTables sides_;
     double cpuMs_ = 0;   // preparing and recording, with the syncs since the frame before
     double syncMs_ = 0;  // of syncs since the last frame
 };

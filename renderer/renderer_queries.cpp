@@ -15,10 +15,11 @@ Pick Renderer::Parts::pick(double x, double y, double radiusPx)
     result.controlPoint = nearestControlPoint({x, y}, radiusPx);
     if (x < 0 || y < 0 || x >= targets->extent().width || y >= targets->extent().height)
         return result;
-    const std::uint32_t surface =
-        targets->surfaceAt(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y));
-    if (surface > 0 && surface <= lastObjects.size())
-        result.object = lastObjects[surface - 1];
+    const std::uint32_t ksquad =
+        targets->ksquadAt(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y));
+    const auto after = std::lower_bound(lastFirstKsquads.begin(), lastFirstKsquads.end(), ksquad);
+    if (after != lastFirstKsquads.begin())
+        result.object = lastObjects[static_cast<size_t>(after - lastFirstKsquads.begin()) - 1];
     return result;
 }
 
@@ -90,7 +91,11 @@ std::vector<HeldMemory> Renderer::Parts::memory() const
 {
     std::vector<HeldMemory> held;
     scene.listMemory(held);
+    facing.listMemory(held);
     culling.listMemory(held);
+    pyramid.listMemory(held);
+    if (noted_)
+        held.push_back({"culling verdicts", verdicts_.bytes()});
     sampling.listMemory(held);
     return held;
 }

@@ -6,6 +6,7 @@
 #include "model/core/check.h"
 #include "model/geometry/knot_insertion.h"
 #include "model/samples/net.h"
+#include "model/samples/sample_list.h"
 
 namespace knotspan::testing {
 
@@ -139,6 +140,25 @@ Joined randomRows(std::mt19937& random)
         }
     }
     return joined;
+}
+
+Scene torusWithTJoints()
+{
+    const Scene torus = findSample("torus")->make();
+    const NurbsSurface& whole = torus.objects().begin()->second->surface;
+    const auto part = [&](double startU, double endU, double startV, double endV) {
+        return clampedPart(clampedPart(whole, Direction::U, startU, endU), Direction::V, startV, endV);
+    };
+    const NurbsSurface parts[] = {part(0, 4.3, 0, 2.5),   elevatedU(part(0, 4.3, 2.5, 5.1)),
+                                  part(0, 4.3, 5.1, 8),   reversedU(part(4.3, 8, 0, 3.3)),
+                                  part(4.3, 8, 3.3, 6.7), exchanged(part(4.3, 8, 6.7, 8))};
+    Scene scene;
+    for (const NurbsSurface& surface : parts) {
+        SceneObject object = *torus.objects().begin()->second;
+        object.surface = surface;
+        scene.add(std::move(object));
+    }
+    return scene;
 }
 
 std::vector<PlacedSurface> placed(const std::vector<NurbsSurface>& surfaces)

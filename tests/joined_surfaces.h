@@ -29,6 +29,9 @@ struct Joined {
 // Three rows of surfaces along one curve, cut at random, some told otherwise.
 [[nodiscard]] Joined randomRows(std::mt19937& random);
 
+// A torus cut into surfaces that meet in T-joints, some of them told with another degree or direction.
+[[nodiscard]] Scene torusWithTJoints();
+
 [[nodiscard]] std::vector<PlacedSurface> placed(const std::vector<NurbsSurface>& surfaces);
 [[nodiscard]] std::vector<PlacedSurface> placed(const Scene& scene);
 

@@ -117,6 +117,7 @@ PathMeasurementRequest SpeedDialog::request() const
 {
     PathMeasurementRequest request;
     request.frame = viewport_.frame();
+    request.frame.cullingCamera.reset();
     const PictureSize size = viewport_.pictureSize();
     request.frame.width = size.width;
     request.frame.height = size.height;

@@ -32,6 +32,15 @@ void changeUniformCells(Window& window, int by)
     });
 }
 
+void freezeCulling(Window& window, bool on)
+{
+    change(window, [on](Frame& frame) {
+        frame.cullingCamera.reset();
+        if (on)
+            frame.cullingCamera = frame.camera;
+    });
+}
+
 void showSpeed(Window& window)
 {
     auto& dialog = broughtUp<SpeedDialog>(
@@ -113,6 +122,12 @@ const std::vector<ActionInfo>& viewActions()
          .tip = TEXT("Show where the surfaces' spans meet"),
          .run = [](Window& w, bool on) { change(w, [on](Frame& frame) { frame.overlays.knotLines = on; }); },
          .isChecked = [](Window& w) { return w.viewport().frame().overlays.knotLines; }},
+        {.id = "view.freezeCulling",
+         .text = TEXT("Free&ze culling"),
+         .shortcuts = {QKeySequence("Shift+C")},
+         .tip = TEXT("Draw what was seen from here while the view moves on, and outline what was culled"),
+         .run = [](Window& w, bool on) { freezeCulling(w, on); },
+         .isChecked = [](Window& w) { return w.viewport().frame().cullingCamera.has_value(); }},
         {.id = "view.moreCells",
          .text = TEXT("&More cells"),
          .shortcuts = {QKeySequence("+")},

@@ -1,6 +1,7 @@
 // Joins border sides that run together in pairs into edges, each with one parameter for all its sides.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -22,6 +23,15 @@ struct EdgeMember {
     double start = 0;
     double end = 0;  // below start: it runs the other way
 
+    // Whether it lies along all between two parameters, or has one strictly between its ends.
+    [[nodiscard]] bool covers(double low, double high) const
+    {
+        return std::min(start, end) <= low && high <= std::max(start, end);
+    }
+    [[nodiscard]] bool isWithin(double at) const
+    {
+        return std::min(start, end) < at && at < std::max(start, end);
+    }
     [[nodiscard]] bool operator==(const EdgeMember&) const = default;
 };
 

@@ -22,6 +22,8 @@ struct Wave {
     double phaseAtZero = 0;
     double time = 0;
 
+    [[nodiscard]] bool operator==(const Wave&) const = default;
+
     [[nodiscard]] double distanceAt(const Vec3& place) const;
 };
 // Nothing where the model is at rest.

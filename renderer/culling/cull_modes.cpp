@@ -4,7 +4,8 @@ namespace knotspan {
 
 const std::vector<CullMode>& cullModes()
 {
-#define KNOTSPAN_ROW(bit, name, function, conservative, sentence) {#name, sentence, conservative},
+#define KNOTSPAN_ROW(bit, name, function, conservative, byDefault, colour, sentence) \
+    {#name, sentence, conservative, byDefault, colour},
     static const std::vector<CullMode> modes = {KNOTSPAN_CULL_LIST(KNOTSPAN_ROW)};
 #undef KNOTSPAN_ROW
     return modes;
@@ -32,6 +33,14 @@ std::optional<CullSet> parseCullSet(std::string_view text)
             return set;
         text.remove_prefix(comma + 1);
     }
+}
+
+CullSet defaultCulling()
+{
+    CullSet set;
+    for (int mode = 0; mode < kCullModeCount; ++mode)
+        set.set(mode, cullModes()[static_cast<size_t>(mode)].byDefault);
+    return set;
 }
 
 std::vector<std::string> names(CullSet set)

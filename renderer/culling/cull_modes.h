@@ -16,6 +16,8 @@ struct CullMode {
     std::string name;         // "lqc"
     std::string description;  // a sentence for a tooltip
     bool conservative;        // never drops what shows
+    bool byDefault;           // on unless asked otherwise
+    std::uint32_t colour;     // sRGB as 0xrrggbb: what it drops is outlined in it
 };
 
 constexpr int kCullModeCount = KNOTSPAN_CULL_MODE_COUNT;
@@ -34,6 +36,8 @@ struct CullSet {
 
 // "none", or names joined by commas; nothing where a name is unknown.
 [[nodiscard]] std::optional<CullSet> parseCullSet(std::string_view text);
+// Those that are on unless asked otherwise.
+[[nodiscard]] CullSet defaultCulling();
 [[nodiscard]] std::vector<std::string> names(CullSet set);  // {"none"} for the empty set
 
 }  // namespace knotspan

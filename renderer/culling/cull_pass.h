@@ -13,23 +13,39 @@ class CullPass {
 public:
     CullPass(const Device& device, Bindings& bindings);
 
-    // Makes room for a scene of that many KSQuads, with stages for `specialization`.
-    void prepare(std::uint32_t ksquads, const Specialization& specialization);
+    // Makes room for a scene of that many KSQuads, with stages for `specialization`. `anew`: they are others
+    // than in the last frame.
+    void prepare(std::uint32_t ksquads, const Specialization& specialization, bool byOcclusion, bool anew);
 
-    // Records the three steps and the barriers around them. The scene and the frame are uploaded.
-    void record(VkCommandBuffer commands) const;
+    // Records the steps and the barriers around them. The scene and the frame are uploaded. By occlusion: the
+    // list of what the last frame saw.
+    void record(VkCommandBuffer commands);
+    // By occlusion, after that was drawn and the depth pyramid made: the list of the rest.
+    void recordRest(VkCommandBuffer commands) const;
     void listMemory(std::vector<HeldMemory>& to) const;
 
 private:
+    void clearGroups(VkCommandBuffer commands) const;
+    void recordLists(VkCommandBuffer commands) const;
+
     const Device& device_;
     Bindings& bindings_;
     std::map<Specialization, Pipeline> cull_;  // made when first needed
     Specialization specialization_;
+    Pipeline asking_;
     Pipeline scan_;
     Pipeline compact_;
     Buffer visible_;
+    Buffer askingList_;
     Buffer groups_;
     std::uint32_t ksquads_ = 0;
+    // By occlusion.
+    bool byOcclusion_ = false;
+    std::map<Specialization, Pipeline> occlusion_;
+    Buffer candidates_;
+    Buffer seen_;
+    Buffer seenNow_;
+    bool sawNothing_ = true;  // seen_ is to be cleared
 };
 
 }  // namespace knotspan

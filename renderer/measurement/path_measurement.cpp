@@ -163,7 +163,7 @@ Result<void> PathMeasurement::drawErrors(PathRow& row)
 // A deformation moves what is at one place alike, so that a closed model stays one.
 Result<void> PathMeasurement::countLeaks(PathRow& row)
 {
-    const auto shown = renderer_.captureSurfaces();
+    const auto shown = renderer_.captureKsQuads();
     if (!shown)
         return tl::unexpected(shown.error());
     const double error = std::max(row.stats.tolerancePx, row.stats.errorPxMax.value_or(0));

@@ -57,11 +57,11 @@ public:
         vkCmdFillBuffer(commands, groupBuffer_.get(), 0, VK_WHOLE_SIZE, 0);
         memoryBarrier(commands, VK_PIPELINE_STAGE_2_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT, kCompute,
                       VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT);
-        dispatch(commands, count_, groupsFor(tiles_, MESH_TILES));
-        dispatch(commands, scan_, {1, 1});
-        dispatch(commands, starts_, groupsFor(tiles_, MESH_TILES));
-        dispatch(commands, vertices_, groupsFor(vertexCapacity_, MESH_ITEMS));
-        dispatch(commands, indices_, groupsFor(triangleCapacity_, MESH_ITEMS));
+        computeStep(commands, count_, groupsFor(tiles_, MESH_TILES));
+        computeStep(commands, scan_, {1, 1});
+        computeStep(commands, starts_, groupsFor(tiles_, MESH_TILES));
+        computeStep(commands, vertices_, groupsFor(vertexCapacity_, MESH_ITEMS));
+        computeStep(commands, indices_, groupsFor(triangleCapacity_, MESH_ITEMS));
         memoryBarrier(commands, kCompute, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
                       VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT | VK_PIPELINE_STAGE_2_INDEX_INPUT_BIT |
                           VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT,
@@ -72,9 +72,9 @@ public:
     [[nodiscard]] bool hadRoom(const gpu::Counters& counted) override
     {
         const bool room =
-            counted.meshVertices <= vertexCapacity_ && counted.meshTriangles <= triangleCapacity_;
-        vertexCapacity_ = room ? vertexCapacity_ : counted.meshVertices + counted.meshVertices / 4;
-        triangleCapacity_ = room ? triangleCapacity_ : counted.meshTriangles + counted.meshTriangles / 4;
+            counted.mostVertices <= vertexCapacity_ && counted.mostTriangles <= triangleCapacity_;
+        vertexCapacity_ = room ? vertexCapacity_ : counted.mostVertices + counted.mostVertices / 4;
+        triangleCapacity_ = room ? triangleCapacity_ : counted.mostTriangles + counted.mostTriangles / 4;
         return room;
     }
 
@@ -86,14 +86,6 @@ public:
     }
 
 private:
-    static void dispatch(VkCommandBuffer commands, const Pipeline& pipeline, const GroupCount& groups)
-    {
-        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.get());
-        vkCmdDispatch(commands, groups.x, groups.y, 1);
-        memoryBarrier(commands, kCompute, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT, kCompute,
-                      VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT);
-    }
-
     Bindings& bindings_;
     Pipeline count_;
     Pipeline scan_;

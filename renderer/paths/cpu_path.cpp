@@ -8,6 +8,7 @@
 
 #include "renderer/scene/adaptive_grids.h"
 #include "renderer/scene/cell_indices.h"
+#include "renderer/scene/cpu_culling.h"
 #include "renderer/scene/uniform_grids.h"
 
 namespace knotspan {
@@ -28,6 +29,11 @@ public:
 
     [[nodiscard]] std::optional<TileLimits> tiles() const override { return std::nullopt; }
 
+    [[nodiscard]] std::uint32_t followed(std::uint32_t cullBits, SamplingRule rule) const override
+    {
+        return rule.kind == SamplingRule::Kind::fixed ? 0 : cullBits;
+    }
+
     void prepare(const PathFrame& frame, gpu::FrameRecord& record) override
     {
         const bool isUniform = frame.rule.kind == SamplingRule::Kind::fixed;
@@ -36,7 +42,7 @@ public:
         if (isUniform)
             evaluations_ = uniform_.update(frame.scene.residents(), record.fixedDice);
         else
-            adapt(frame, record.cullBits);
+            adapt(frame, record);
         if (captures_) {  // all vertices, none between grids
             adaptive_.closeGaps();
             uniform_.closeGaps();
@@ -48,6 +54,8 @@ public:
         ksquads_ = frame.scene.ksquadCount();
         record.vertexCapacity = vertexCount();
         record.flags |= isUniform ? FRAME_SPANS : 0U;
+        if ((record.flags & FRAME_NOTE_VERDICTS) != 0)
+            sendVerdicts(frame);
     }
 
     void forget() override
@@ -116,13 +124,27 @@ private:
         return static_cast<std::uint32_t>(store().vertices().size());
     }
 
-    void adapt(const PathFrame& frame, std::uint32_t cullBits)
+    void adapt(const PathFrame& frame, const gpu::FrameRecord& record)
     {
         const auto changes =
             scene_.update(frame.scene.residents(), frame.scene.borders(), frame.scene.evaluator());
-        const auto view = GridView::of(scene_.residents(), frame.camera, frame.width, frame.height,
-                                       frame.scene.bounds(), frame.tolerancePx, cullBits);
+        auto view = GridView::of(scene_.residents(), frame.camera, frame.width, frame.height,
+                                 frame.scene.bounds(), frame.tolerancePx, record.cullBits, frame.sides);
+        view.facing = &frame.facing;
+        if ((record.flags & FRAME_KEEP_VERDICTS) != 0)
+            view.kept = &kept_;
         evaluations_ = adaptive_.update(scene_, changes, view).evaluations;
+    }
+
+    // What the modes said is kept here for the frames that follow, and there for the outlines.
+    void sendVerdicts(const PathFrame& frame)
+    {
+        kept_.assign(ksquads_, kNotCulled);
+        if (!isUniform_)
+            kept_ = adaptive_.culledBy();
+        const auto verdicts = frame.uploader.room<std::uint32_t>(frame.verdicts, 0, kept_.size());
+        std::transform(kept_.begin(), kept_.end(), verdicts.begin(),
+                       [](int mode) { return static_cast<std::uint32_t>(mode + 1); });
     }
 
     // Room for `count` elements, and for some more to come. True: what the buffer held is gone.
@@ -157,6 +179,7 @@ private:
     bool isUniform_ = false;
     CpuScene scene_;
     AdaptiveGrids adaptive_;
+    std::vector<std::int8_t> kept_;  // by a culling camera that stands still
     UniformGrids uniform_;
     CellIndices indices_;
     Buffer vertexBuffer_;

@@ -13,7 +13,7 @@ namespace {
 // How many vertices a geometry stage may put out here, of the components that each has in surface_io.glsl.
 std::uint32_t verticesOf(const Device& device)
 {
-    constexpr std::uint32_t kComponents = 4 + 3 + 3 + 2 + 1 + 3;
+    constexpr std::uint32_t kComponents = 4 + 1 + 3 + 3 + 2 + 1 + 3;
     return std::min(device.limits().maxGeometryOutputVertices,
                     device.limits().maxGeometryTotalOutputComponents / kComponents);
 }
@@ -22,10 +22,12 @@ class GeometryPath : public SurfacePath {
 public:
     GeometryPath(const Device& device, const Bindings& bindings, const PathVariant& variant)
         : device_(device),
-          pipeline_(makeGraphicsPipeline(device, bindings,
-                                         {.stages = {"tile.vert", "geometry.geom", variant.fragmentStage()},
-                                          .topology = VK_PRIMITIVE_TOPOLOGY_POINT_LIST,
-                                          .specialization = variant.specialization}))
+          pipeline_(makeGraphicsPipeline(
+              device, bindings,
+              {.stages = {"tile.vert", variant.cullsDice ? "geometry_evs.geom" : "geometry.geom",
+                          variant.fragmentStage()},
+               .topology = VK_PRIMITIVE_TOPOLOGY_POINT_LIST,
+               .specialization = variant.specialization}))
     {
     }
 
@@ -55,19 +57,19 @@ private:
 
 PathFactory geometryPath()
 {
-    return {
-        {PathId::geometry, "geometry", "The geometry stage alone, a few cells at a time", true, tileRules()},
-        [](const Device& device) -> std::string {
-            if (!device.abilities().noGeometry.empty())
-                return device.abilities().noGeometry;
-            return verticesOf(device) < GEOMETRY_VERTICES
-                       ? "This device's geometry stage puts out too few vertices"
-                       : "";
-        },
-        [](const Device& device, Bindings& bindings,
-           const PathVariant& variant) -> std::unique_ptr<SurfacePath> {
-            return std::make_unique<GeometryPath>(device, bindings, variant);
-        }};
+    return {{PathId::geometry, "geometry", "The geometry stage alone, a few cells at a time", true,
+             tileRules(), true, true},
+            [](const Device& device) -> std::string {
+                if (!device.abilities().noGeometry.empty())
+                    return device.abilities().noGeometry;
+                return verticesOf(device) < GEOMETRY_VERTICES
+                           ? "This device's geometry stage puts out too few vertices"
+                           : "";
+            },
+            [](const Device& device, Bindings& bindings,
+               const PathVariant& variant) -> std::unique_ptr<SurfacePath> {
+                return std::make_unique<GeometryPath>(device, bindings, variant);
+            }};
 }
 
 }  // namespace knotspan

@@ -14,9 +14,11 @@ class MeshPath : public SurfacePath {
 public:
     MeshPath(const Device& device, const Bindings& bindings, const PathVariant& variant)
         : device_(device),
-          pipeline_(makeGraphicsPipeline(device, bindings,
-                                         {.stages = {"mesh.task", "mesh.mesh", variant.fragmentStage()},
-                                          .specialization = variant.specialization}))
+          pipeline_(
+              makeGraphicsPipeline(device, bindings,
+                                   {.stages = {"mesh.task", variant.cullsDice ? "mesh_evs.mesh" : "mesh.mesh",
+                                               variant.fragmentStage()},
+                                    .specialization = variant.specialization}))
     {
     }
 
@@ -49,7 +51,7 @@ private:
 PathFactory meshPath()
 {
     return {{PathId::mesh, "mesh", "Task and mesh stages, as fine as the tolerance asks, without cracks",
-             true, tileRules()},
+             true, tileRules(), true, true},
             [](const Device& device) { return device.abilities().noMeshStages; },
             [](const Device& device, Bindings& bindings,
                const PathVariant& variant) -> std::unique_ptr<SurfacePath> {

@@ -29,7 +29,8 @@ struct PathInfo {
     bool followsTolerance;            // false: it draws as many triangles whatever the tolerance
     std::vector<SamplingRule> rules;  // that it can follow, its own first; a count of 0: any
     bool drawsFromDevice =
-        true;  // from the control points there: what moves them there is enough (Frame::wave)
+        true;                // from the control points there: what moves them there is enough (Frame::wave)
+    bool cullsDice = false;  // its stages make triangles, and can cull them by evs
 
     [[nodiscard]] bool follows(SamplingRule rule) const;
     // By its own rule no pixel is further off than asked, and nothing cracks.

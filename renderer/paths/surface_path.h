@@ -8,6 +8,7 @@
 
 #include "model/geometry/basis_evaluators.h"
 #include "renderer/paths/path_list.h"
+#include "renderer/scene/facing_arrays.h"
 #include "renderer/scene/gpu_scene.h"
 #include "renderer/scene/render_lists.h"
 #include "renderer/vulkan/pipeline.h"
@@ -42,13 +43,17 @@ struct PathFrame {
     double tolerancePx;
     double width;
     double height;
+    const SideTables& sides;
+    const FacingArrays& facing;  // made where a culling mode that is on reads it
     Uploader& uploader;
+    const Buffer& verdicts;  // as verdicts.glsl has them, where the record says so
 };
 
 // What a path's pipelines are made for.
 struct PathVariant {
     Specialization specialization;
     bool measuresError = false;  // the fragment stage measures how far each pixel is off
+    bool cullsDice = false;      // culling by evs, where PathInfo says that the path can
 
     [[nodiscard]] const char* fragmentStage() const
     {
@@ -66,6 +71,12 @@ public:
 
     // What of the scene its stages read.
     [[nodiscard]] virtual Packing packing() const { return Packing::ksquads; }
+
+    // Which of the culling modes that are on the path follows.
+    [[nodiscard]] virtual std::uint32_t followed(std::uint32_t cullBits, SamplingRule /*rule*/) const
+    {
+        return cullBits;
+    }
 
     // What of the device holds the path back, as a sentence; empty: nothing worth telling.
     [[nodiscard]] virtual std::string limit() const { return {}; }

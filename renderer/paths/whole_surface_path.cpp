@@ -54,6 +54,10 @@ public:
     }
 
     [[nodiscard]] std::optional<TileLimits> tiles() const override { return std::nullopt; }
+    [[nodiscard]] std::uint32_t followed(std::uint32_t cullBits, SamplingRule) const override
+    {
+        return cullBits & 1U;  // the mode surface, as whole_surface.tesc has it
+    }
     [[nodiscard]] std::string limit() const override
     {
         if (cutShort_ == 0)

@@ -12,11 +12,6 @@ constexpr VkPipelineStageFlags2 kCompute = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BI
 constexpr VkAccessFlags2 kReadWrite =
     VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT;
 
-void computeBarrier(VkCommandBuffer commands)
-{
-    memoryBarrier(commands, kCompute, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT, kCompute, kReadWrite);
-}
-
 }  // namespace
 
 SamplingPass::SamplingPass(const Device& device, Bindings& bindings)
@@ -65,18 +60,10 @@ void SamplingPass::record(VkCommandBuffer commands) const
                   kReadWrite);
     bindings_.bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE);
     // As many groups as would be needed if all were visible: nobody waits to hear how many are.
-    const auto dispatch = [&](const Pipeline& pipeline, std::uint32_t perGroup) {
-        const GroupCount groups = groupsFor(ksquads_, perGroup);
-        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.get());
-        vkCmdDispatch(commands, groups.x, groups.y, 1);
-        computeBarrier(commands);
-    };
-    dispatch(sampling_.at(specialization_), SAMPLING_KSQUADS);
-    dispatch(count_, TILE_KSQUADS);
-    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, scan_.get());
-    vkCmdDispatch(commands, 1, 1, 1);
-    computeBarrier(commands);
-    dispatch(write_, TILE_KSQUADS);
+    computeStep(commands, sampling_.at(specialization_), groupsFor(ksquads_, SAMPLING_KSQUADS));
+    computeStep(commands, count_, groupsFor(ksquads_, TILE_KSQUADS));
+    computeStep(commands, scan_, {1, 1});
+    computeStep(commands, write_, groupsFor(ksquads_, TILE_KSQUADS));
     memoryBarrier(commands, kCompute, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
                   VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT | VK_PIPELINE_STAGE_2_ALL_GRAPHICS_BIT,
                   VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT | kReadWrite);

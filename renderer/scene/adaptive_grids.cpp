@@ -10,6 +10,8 @@
 
 #include "renderer/scene/cpu_culling.h"
 #include "renderer/scene/cpu_vertices.h"
+#include "renderer/scene/surface_views.h"
+#include "shaders/shared/asking.glsl"
 #include "shaders/shared/grid_search.glsl"
 
 namespace knotspan {
@@ -27,18 +29,14 @@ gpu::PixelMap<double> pixelMap(const Resident& resident, const Camera& camera, c
     return {middle.x * rows[0], middle.y * rows[1], rows[2], rows[3], middle};
 }
 
-// The eye, or the direction towards an orthographic one, in the surface's own coordinates.
-Vec4 eyeSeenFrom(const Resident& resident, const Camera& camera)
-{
-    const Mat4 inverse = glm::inverse(resident.object->transform);
-    if (camera.orthographic)
-        return {glm::normalize(Vec3(inverse * Vec4(-camera.forward(), 0.0))), 0.0};
-    return {transformed(camera.eye, inverse) - resident.frame.origin, 1.0};
-}
-
 bool isSame(const gpu::PixelMap<double>& a, const gpu::PixelMap<double>& b)
 {
     return a.x == b.x && a.y == b.y && a.z == b.z && a.w == b.w && a.middle == b.middle;
+}
+
+bool isSame(const gpu::SurfaceView& a, const gpu::SurfaceView& b)
+{
+    return a.modelView == b.modelView && a.eye == b.eye;
 }
 
 bool isSame(const gpu::DrawnGrid& a, const gpu::DrawnGrid& b)
@@ -58,6 +56,23 @@ gpu::KsQuadPlace placeOfNumbers(const CpuScene& scene, const gpu::KsQuadRecord& 
     place.tableU = ksquad.spanU - matrixSize(surface.degreeU);
     place.tableV = ksquad.spanV - matrixSize(surface.degreeV);
     return place;
+}
+
+// What asking.glsl reads beside.
+struct AskingSource : AskedGrids {
+    AskingSource(const CpuScene& scene, const std::vector<gpu::GridRecord>& grids,
+                 const std::vector<std::int8_t>& culledBy)
+        : AskedGrids(scene, grids),
+          culled(culledBy)
+    {
+    }
+    [[nodiscard]] bool isVisible(gpu::uint k) const { return culled[k] == kNotCulled; }
+    const std::vector<std::int8_t>& culled;
+};
+
+gpu::PixelMap<float> inFloat(const gpu::PixelMap<double>& map)
+{
+    return {gpu::vec4(map.x), gpu::vec4(map.y), gpu::vec4(map.z), gpu::vec4(map.w), gpu::vec2(map.middle)};
 }
 
 // One KSQuad's windows beside the scene's numbers: what the texts of the choice read.
@@ -129,15 +144,17 @@ Choice chooseGrid(const CpuScene& scene, std::uint32_t ksquad, const gpu::PixelM
 }  // namespace
 
 GridView GridView::of(const std::vector<Resident>& residents, const Camera& camera, double width,
-                      double height, const Box& bounds, double tolerancePx, std::uint32_t cullBits)
+                      double height, const Box& bounds, double tolerancePx, std::uint32_t cullBits,
+                      const SideTables& sides)
 {
     GridView view;
     view.tolerancePx = tolerancePx;
     view.cullBits = cullBits;
     const Mat4 projection = camera.projection(width / height, bounds);
-    for (const Resident& resident : residents) {
-        view.maps.push_back(pixelMap(resident, camera, projection, {0.5 * width, 0.5 * height}));
-        view.eyes.push_back(eyeSeenFrom(resident, camera));
+    for (size_t k = 0; k < residents.size(); ++k) {
+        view.maps.push_back(pixelMap(residents[k], camera, projection, {0.5 * width, 0.5 * height}));
+        view.views.push_back(surfaceView(residents[k], camera, sides.sides[k], sides.shells[k]));
+        view.sides.push_back(sides.shownSide(k));
     }
     return view;
 }
@@ -145,7 +162,9 @@ GridView GridView::of(const std::vector<Resident>& residents, const Camera& came
 bool AdaptiveGrids::seesAnew(const GridView& view) const
 {
     return view.tolerancePx != view_.tolerancePx || view.cullBits != view_.cullBits ||
-           view.eyes != view_.eyes ||
+           view.sides != view_.sides || view.kept != view_.kept ||
+           !std::equal(view.views.begin(), view.views.end(), view_.views.begin(), view_.views.end(),
+                       [](const auto& a, const auto& b) { return isSame(a, b); }) ||
            !std::equal(view.maps.begin(), view.maps.end(), view_.maps.begin(), view_.maps.end(),
                        [](const auto& a, const auto& b) { return isSame(a, b); });
 }
@@ -159,6 +178,7 @@ AdaptiveGrids::Work AdaptiveGrids::update(const CpuScene& scene, const CpuScene:
         asked_.resize(scene.ksquadCount());
         bounds_.resize(scene.ksquadCount());
         culledBy_.resize(scene.ksquadCount());
+        hasChosen_.resize(scene.ksquadCount());
         drawn_.resize(scene.ksquadCount());
         grids_.resize(scene.ksquadCount());
         stale_.resize(scene.ksquadCount());
@@ -175,24 +195,48 @@ AdaptiveGrids::Work AdaptiveGrids::update(const CpuScene& scene, const CpuScene:
 std::uint32_t AdaptiveGrids::choose(const CpuScene& scene, const CpuScene::Changes& changes,
                                     const GridView& view)
 {
-    std::vector<std::uint32_t> wanted;
     // A surface may be dropped for corners that its other KSQuads do not see.
     const bool all = seesAnew(view) || (view.cullBits != 0 && changes.any());
     view_ = view;
-    for (std::uint32_t k = 0; k < scene.ksquadCount(); ++k)
-        if (all || (!changes.touched.empty() && changes.touched[k] != 0))
-            wanted.push_back(k);
+    std::vector<CullView> cullViews;
+    for (size_t k = 0; k < view.maps.size(); ++k)
+        cullViews.push_back({inFloat(view.maps[k]), view.views[k], view.sides[k], view.facing});
+    std::vector<std::uint8_t> changed(changes.touched);
+    changed.resize(scene.ksquadCount(), 0);
+    if (all)
+        std::fill(changed.begin(), changed.end(), std::uint8_t{1});
+    tbb::parallel_for(std::uint32_t{0}, scene.ksquadCount(), [&](std::uint32_t k) {
+        if (changed[k] != 0)
+            culledBy_[k] = view.kept != nullptr
+                               ? (*view.kept)[k]
+                               : static_cast<std::int8_t>(knotspan::culledBy(
+                                     scene, k, cullViews[scene.ksquad(k).surface], view.cullBits));
+    });
+    const auto wanted = thoseToChooseFor(scene, changed);
     tbb::parallel_for(size_t{0}, wanted.size(), [&](size_t index) {
         const std::uint32_t k = wanted[index];
-        const gpu::uint surface = scene.ksquad(k).surface;
-        const int culled = culledBy(scene, k, view.eyes[surface], view.cullBits);
-        const Choice choice =
-            culled == kNotCulled ? chooseGrid(scene, k, view.maps[surface], view.tolerancePx) : Choice{};
-        culledBy_[k] = static_cast<std::int8_t>(culled);
+        const Choice choice = chooseGrid(scene, k, view.maps[scene.ksquad(k).surface], view.tolerancePx);
         asked_[k] = choice.grid;
         bounds_[k] = static_cast<float>(choice.bound);
     });
     return static_cast<std::uint32_t>(wanted.size());
+}
+
+// Those that are drawn and their neighbours, where they have changed or were not asked before.
+std::vector<std::uint32_t> AdaptiveGrids::thoseToChooseFor(const CpuScene& scene,
+                                                           const std::vector<std::uint8_t>& changed)
+{
+    const AskingSource source(scene, asked_, culledBy_);
+    std::vector<std::uint32_t> wanted;
+    for (std::uint32_t k = 0; k < scene.ksquadCount(); ++k) {
+        const bool asks = gpu::asks(source, k);
+        if (asks && (changed[k] != 0 || hasChosen_[k] == 0))
+            wanted.push_back(k);
+        hasChosen_[k] = asks ? 1 : 0;
+        if (!asks)
+            asked_[k] = {};
+    }
+    return wanted;
 }
 
 void AdaptiveGrids::drawAll(const CpuScene& scene, const CpuScene::Changes& changes)
@@ -200,7 +244,8 @@ void AdaptiveGrids::drawAll(const CpuScene& scene, const CpuScene::Changes& chan
     const AskedGrids asked(scene, asked_);
     std::vector<gpu::DrawnGrid> drawn(scene.ksquadCount());
     tbb::parallel_for(std::uint32_t{0}, scene.ksquadCount(), [&](std::uint32_t k) {
-        drawn[k] = asked_[k].alongU == 0 ? gpu::DrawnGrid{} : gpu::drawnGrid(asked, k, SNAP_FALLING);
+        if (asked_[k].alongU != 0 && culledBy_[k] == kNotCulled)
+            drawn[k] = gpu::drawnGrid(asked, k, SNAP_FALLING);
     });
     for (std::uint32_t k = 0; k < scene.ksquadCount(); ++k) {
         const bool touched = !changes.touched.empty() && changes.touched[k] != 0;

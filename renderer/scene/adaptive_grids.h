@@ -6,6 +6,8 @@
 
 #include "renderer/scene/camera.h"
 #include "renderer/scene/cpu_scene.h"
+#include "renderer/scene/facing_arrays.h"
+#include "renderer/scene/shown_sides.h"
 #include "renderer/scene/vertex_store.h"
 #include "shaders/shared/borders.glsl"
 #include "shaders/shared/cull_list.h"
@@ -16,14 +18,18 @@ namespace knotspan {
 // A picture that grids are chosen for.
 struct GridView {
     std::vector<gpu::PixelMap<double>> maps;  // by surface
-    std::vector<Vec4> eyes;                   // by surface, as SurfaceView has them
+    std::vector<gpu::SurfaceView> views;      // by surface
+    std::vector<float> sides;                 // that are shown alone, likewise
     double tolerancePx = 0;
     std::uint32_t cullBits = 0;
+    const FacingArrays* facing = nullptr;  // of the scene, where a culling mode reads it
+    // By KSQuad, as AdaptiveGrids::culledBy(): of a culling camera that stands still. Then no mode is asked.
+    const std::vector<std::int8_t>* kept = nullptr;
 
-    // `bounds` sets the depth range, as in Camera::projection().
+    // `bounds` sets the depth range, as in Camera::projection(); and `sides` say which are shown.
     [[nodiscard]] static GridView of(const std::vector<Resident>& residents, const Camera& camera,
                                      double width, double height, const Box& bounds, double tolerancePx,
-                                     std::uint32_t cullBits);
+                                     std::uint32_t cullBits, const SideTables& sides);
 };
 
 class AdaptiveGrids {
@@ -44,6 +50,8 @@ public:
     void closeGaps() { store_.compact(grids_, true); }
     // In pixels, the largest of all.
     [[nodiscard]] double bound() const;
+    // By KSQuad: the culling mode that dropped it, or kNotCulled.
+    [[nodiscard]] const std::vector<std::int8_t>& culledBy() const { return culledBy_; }
     // KSQuads that each culling mode dropped.
     [[nodiscard]] std::array<std::uint32_t, KNOTSPAN_CULL_MODE_COUNT> culled() const;
 
@@ -51,6 +59,8 @@ private:
     [[nodiscard]] bool seesAnew(const GridView& view) const;
     [[nodiscard]] std::uint32_t choose(const CpuScene& scene, const CpuScene::Changes& changes,
                                        const GridView& view);
+    [[nodiscard]] std::vector<std::uint32_t> thoseToChooseFor(const CpuScene& scene,
+                                                              const std::vector<std::uint8_t>& changed);
     void drawAll(const CpuScene& scene, const CpuScene::Changes& changes);
     [[nodiscard]] std::uint64_t makeAll(const CpuScene& scene, const CpuScene::Changes& changes);
 
@@ -58,6 +68,7 @@ private:
     std::vector<gpu::GridRecord> asked_;
     std::vector<float> bounds_;
     std::vector<std::int8_t> culledBy_;
+    std::vector<std::uint8_t> hasChosen_;  // asked_ is of this view
     std::vector<gpu::DrawnGrid> drawn_;
     std::vector<VertexGrid> grids_;
     std::vector<std::uint8_t> stale_;  // vertices are to be made

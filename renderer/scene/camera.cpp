@@ -100,6 +100,17 @@ Mat4 Camera::projection(double aspect, const Box& bounds) const
     return matrix;
 }
 
+double Camera::cutOff(double aspect, const Box& bounds) const
+{
+    if (orthographic) {
+        const double radius = std::max(bounds.diagonal(), 1e-6 * distance());
+        return (bounds.isEmpty() ? glm::dot(target, forward()) : glm::dot(bounds.centre(), forward())) -
+               radius;
+    }
+    const double slope = std::tan(glm::radians(verticalFovDegrees) * 0.5);
+    return kNearest * std::max(distance(), 1e-30) * std::sqrt(1.0 + slope * slope * (1.0 + aspect * aspect));
+}
+
 std::optional<Vec2> Camera::toPixel(const Vec3& point, int width, int height) const
 {
     return PixelProjection(*this, width, height)(point);

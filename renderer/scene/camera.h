@@ -18,6 +18,8 @@ struct Camera {
     double verticalFovDegrees =
         35;  // orthographic: the height of the view is that of this angle at the target
 
+    [[nodiscard]] bool operator==(const Camera&) const = default;
+
     [[nodiscard]] Vec3 forward() const;  // unit, from the eye to the target
     [[nodiscard]] Vec3 right() const;    // unit
     [[nodiscard]] Vec3 upward() const;   // unit, orthogonal to both
@@ -33,6 +35,10 @@ struct Camera {
     // From eye-relative view space to Vulkan clip space, depth reversed (1 near, 0 far). `bounds` sets the
     // depth range.
     [[nodiscard]] Mat4 projection(double aspect, const Box& bounds) const;
+
+    // Where that projection's near plane cuts off what it shows. With perspective: no point further from the
+    // eye. Orthographic: no point with dot(point, forward()) at least this.
+    [[nodiscard]] double cutOff(double aspect, const Box& bounds) const;
 
     // Where a point of model space falls, in pixels from the upper left corner of the picture; nothing where
     // it is not in front of the eye.

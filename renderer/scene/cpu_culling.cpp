@@ -2,52 +2,57 @@
 
 #include <array>
 
+#include "shaders/culling/evs.glsl"
+#include "shaders/culling/frustum.glsl"
+#include "shaders/culling/hull_on_screen.glsl"
+#include "shaders/culling/lqc.glsl"
+#include "shaders/culling/occlusion.glsl"
+#include "shaders/culling/small.glsl"
+#include "shaders/culling/sqc.glsl"
+#include "shaders/culling/surface.glsl"
 #include "shaders/shared/cull_list.h"
 
 namespace knotspan {
 
 namespace {
 
-using Corners = std::array<Vec3, 4>;
+// What the texts read.
+struct CullSource {
+    const CpuScene& scene;
+    const CullView& seen;
 
-// As shaders/culling/facing.glsl has it.
-bool cornersFaceAway(const Corners& corners, const Vec4& eye)
-{
-    const Vec3 normal = glm::cross(corners[3] - corners[0], corners[2] - corners[1]);
-    const Vec3 centre = 0.25 * (corners[0] + corners[1] + corners[2] + corners[3]);
-    return glm::dot(normal, Vec3(eye) - eye.w * centre) < 0.0;
-}
+    [[nodiscard]] const gpu::SurfaceRecord& surface(gpu::uint k) const { return scene.surface(k); }
+    [[nodiscard]] const gpu::KsQuadRecord& ksquad(gpu::uint k) const { return scene.ksquad(k); }
+    [[nodiscard]] double spanTable(gpu::uint k) const { return scene.spanTable(k); }
+    [[nodiscard]] const glm::dvec4& controlPoint(gpu::uint k) const { return scene.controlPoint(k); }
+    [[nodiscard]] const gpu::SurfaceView& surfaceView(gpu::uint) const { return seen.view; }
+    [[nodiscard]] float shownSide(gpu::uint) const { return seen.side; }
+    [[nodiscard]] const gpu::PixelMap<float>& pixelMap(gpu::uint) const { return seen.map; }
 
-bool culledBySurface(const CpuScene& scene, std::uint32_t ksquad, const Vec4& eye)
-{
-    const gpu::SurfaceRecord& surface = scene.surface(scene.ksquad(ksquad).surface);
-    return cornersFaceAway({Vec3(surface.corners[0]), Vec3(surface.corners[1]), Vec3(surface.corners[2]),
-                            Vec3(surface.corners[3])},
-                           eye);
-}
+    [[nodiscard]] gpu::FacingBox facingBox(gpu::uint k) const { return gpu::facingBoxOf(seen.facing->boxes()[k]); }
+    [[nodiscard]] gpu::uint facingWord(gpu::uint k) const { return seen.facing->words()[k]; }
 
-bool culledByLqc(const CpuScene& scene, std::uint32_t ksquad, const Vec4& eye)
-{
-    const gpu::KsQuadRecord& record = scene.ksquad(ksquad);
-    const gpu::SurfaceRecord& surface = scene.surface(record.surface);
-    const auto p = static_cast<int>(surface.degreeU);
-    const auto q = static_cast<int>(surface.degreeV);
-    const std::array u{scene.basis(record.spanU, p, 0.0), scene.basis(record.spanU, p, 1.0)};
-    const std::array v{scene.basis(record.spanV, q, 0.0), scene.basis(record.spanV, q, 1.0)};
-    Corners corners;
-    for (size_t k = 0; k < 4; ++k)
-        corners[k] =
-            gpu::contractNet<double>(scene, record.firstPoint, surface.stride, p, q, u[k & 1U], v[k >> 1U])
-                .position;
-    return cornersFaceAway(corners, eye);
-}
+    [[nodiscard]] gpu::vec3 position(gpu::uint k, const gpu::vec2& t) const
+    {
+        const gpu::KsQuadRecord& record = scene.ksquad(k);
+        const gpu::SurfaceRecord& surface = scene.surface(record.surface);
+        const auto p = static_cast<int>(surface.degreeU);
+        const auto q = static_cast<int>(surface.degreeV);
+        return gpu::vec3(gpu::contractNet<double>(scene, record.firstPoint, surface.stride, p, q,
+                                                  scene.basis(record.spanU, p, double{t.x}),
+                                                  scene.basis(record.spanV, q, double{t.y}))
+                             .position);
+    }
+};
 
 }  // namespace
 
-int culledBy(const CpuScene& scene, std::uint32_t ksquad, const Vec4& eye, std::uint32_t cullBits)
+int culledBy(const CpuScene& scene, std::uint32_t ksquad, const CullView& view, std::uint32_t cullBits)
 {
-#define KNOTSPAN_TEST(bit, name, culls, conservative, sentence)       \
-    if ((cullBits & (1U << (bit))) != 0 && culls(scene, ksquad, eye)) \
+    const CullSource source{scene, view};
+    const gpu::SeenKsQuad seen = gpu::seenKsQuad(source, ksquad, cullBits);
+#define KNOTSPAN_TEST(bit, name, culls, conservative, byDefault, colour, sentence) \
+    if ((cullBits & (1U << (bit))) != 0 && gpu::culls(source, ksquad, seen))       \
         return bit;
     KNOTSPAN_CULL_LIST(KNOTSPAN_TEST)
 #undef KNOTSPAN_TEST

@@ -7,6 +7,7 @@
 #include <tbb/parallel_for.h>
 
 #include "model/core/check.h"
+#include "renderer/scene/surface_views.h"
 
 namespace knotspan {
 
@@ -32,22 +33,6 @@ bool fits(const PointFrame& packed, const NurbsSurface& surface)
     const double distance = glm::length(now.origin - packed.origin);
     const double ratio = now.weight / packed.weight;
     return distance <= 3.0 * now.extent && ratio < 1e6 && ratio > 1e-6;
-}
-
-gpu::SurfaceView viewOf(const Resident& resident, const Camera& camera, const Mat4& rotation)
-{
-    const Mat4& transform = resident.object->transform;
-    const Mat4 inverse = glm::inverse(transform);
-    Mat4 toView = rotation * transform;
-    toView[3] = rotation * Vec4(transformed(resident.frame.origin, transform) - camera.eye, 1.0);
-
-    gpu::SurfaceView view{};
-    view.modelView = gpu::mat4x3(glm::dmat4x3(toView));
-    view.eye = camera.orthographic
-                   ? gpu::vec4(Vec4(glm::normalize(Vec3(inverse * Vec4(-camera.forward(), 0.0))), 0.0))
-                   : gpu::vec4(Vec4(transformed(camera.eye, inverse) - resident.frame.origin, 1.0));
-    view.facing = glm::determinant(transform) < 0.0 ? -1.0F : 1.0F;
-    return view;
 }
 
 PlacedSurface placedSurface(const SceneObject& object)
@@ -89,7 +74,6 @@ void GpuScene::rebuild(const VisibleObjects& visible)
     auto residents = makeResidents(visible);
     // Where the device refuses, nothing is left that looks as if it were there.
     forget();
-    provide(surfaceViews_, BINDING_SURFACE_VIEWS, residents.size() * sizeof(gpu::SurfaceView));
     edges_ = SharedEdges(placedSurfaces(residents));
     unsearched_.clear();
     const BorderTables& borders = edges_.tables();
@@ -277,7 +261,7 @@ void GpuScene::listMemory(std::vector<HeldMemory>& to) const
     to.push_back({"span tables", spanTables_.bytes()});
     to.push_back({"KSQuad records", ksquads_.bytes()});
     to.push_back({"surface records", surfaces_.bytes()});
-    to.push_back({"surface views", surfaceViews_.bytes()});
+    to.push_back({"surface views", surfaceViews_.bytes() + shownShellBuffer_.bytes()});
     to.push_back({"borders", borderSides_.bytes() + borderCorners_.bytes() + borderPieces_.bytes() +
                                  borderUses_.bytes()});
 }
@@ -287,26 +271,26 @@ void GpuScene::forget()
     residents_.clear();
     records_.clear();
     views_.clear();
+    shownShells_.clear();
     ksquadCount_ = 0;
     pointCount_ = 0;
 }
 
-void GpuScene::updateViews(const Camera& camera, const std::vector<ObjectId>& highlighted)
+void GpuScene::updateViews(const Camera& camera, const std::vector<ObjectId>& highlighted,
+                           const SideTables& sides)
 {
     std::vector<gpu::SurfaceView> views;
     views.reserve(residents_.size());
-    const Mat4 rotation = camera.rotation();
-    for (const Resident& resident : residents_) {
-        views.push_back(viewOf(resident, camera, rotation));
+    for (size_t k = 0; k < residents_.size(); ++k) {
+        const Resident& resident = residents_[k];
+        views.push_back(surfaceView(resident, camera, sides.sides[k], sides.shells[k]));
         if (std::find(highlighted.begin(), highlighted.end(), resident.id) != highlighted.end())
             views.back().highlight = 1.0F;
     }
-    const size_t bytes = views.size() * sizeof(gpu::SurfaceView);
-    if (views.size() == views_.size() &&
-        (views.empty() || std::memcmp(views.data(), views_.data(), bytes) == 0))
-        return;
-    views_ = std::move(views);
-    uploader_.write(surfaceViews_, 0, all(views_));
+    const auto before = std::exchange(views_, std::move(views));
+    sendChanges(surfaceViews_, BINDING_SURFACE_VIEWS, before, views_);
+    const auto shownBefore = std::exchange(shownShells_, sides.shown);
+    sendChanges(shownShellBuffer_, BINDING_SHOWN_SHELLS, shownBefore, shownShells_);
 }
 
 void GpuScene::provide(Buffer& buffer, int binding, VkDeviceSize bytes)

@@ -12,6 +12,7 @@
 #include "renderer/scene/held_memory.h"
 #include "renderer/scene/packed_scene.h"
 #include "renderer/scene/shared_edges.h"
+#include "renderer/scene/shown_sides.h"
 #include "renderer/vulkan/pipeline.h"
 
 namespace knotspan {
@@ -38,8 +39,8 @@ public:
     // Whether everything was packed anew since the last call.
     [[nodiscard]] bool takeRebuilt() { return std::exchange(rebuilt_, false); }
 
-    // Matrices of all surfaces for a camera, made in double; uploaded where they differ from the last ones.
-    void updateViews(const Camera& camera, const std::vector<ObjectId>& highlighted);
+    // All surfaces as a camera sees them; uploaded where they differ from the last ones.
+    void updateViews(const Camera& camera, const std::vector<ObjectId>& highlighted, const SideTables& sides);
 
     [[nodiscard]] const std::vector<Resident>& residents() const { return residents_; }
     // Null where it is not on the device.
@@ -56,6 +57,8 @@ public:
     [[nodiscard]] bool isRebuilt() const { return rebuilt_; }  // see takeRebuilt()
     [[nodiscard]] const Box& bounds() const { return bounds_; }
     [[nodiscard]] const BorderTables& borders() const { return edges_.tables(); }
+    [[nodiscard]] const CoincidentEdges& edges() const { return edges_.edges(); }
+    [[nodiscard]] Packing packing() const { return packing_; }
     void listMemory(std::vector<HeldMemory>& to) const;
 
 private:
@@ -99,8 +102,10 @@ private:
     Box bounds_;
     std::vector<gpu::SurfaceRecord> records_;
     std::vector<gpu::SurfaceView> views_;
+    std::vector<std::uint32_t> shownShells_;
     Buffer surfaces_;
     Buffer surfaceViews_;
+    Buffer shownShellBuffer_;
     Buffer ksquads_;
     Buffer spanTables_;
     Buffer controlPoints_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "model/core/check.h"
+#include "shaders/shared/facing_forms.glsl"
 
 namespace knotspan {
 
@@ -83,11 +84,15 @@ std::vector<Resident> makeResidents(const VisibleObjects& objects)
     std::uint32_t firstPoint = 0;
     std::uint32_t firstKsquad = 0;
     std::uint32_t firstBorder = 0;
+    std::uint32_t firstFacingWord = 0;
     for (const auto& [id, object] : objects) {
-        residents.push_back(
-            {id, object, PointFrame::of(object->surface), firstPoint, firstKsquad, firstBorder});
+        residents.push_back({id, object, PointFrame::of(object->surface), firstPoint, firstKsquad,
+                             firstBorder, firstFacingWord});
         firstPoint += static_cast<std::uint32_t>(object->surface.controlPoints().size());
-        firstKsquad += static_cast<std::uint32_t>(ksQuadCount(object->surface));
+        const auto ksquads = static_cast<std::uint32_t>(ksQuadCount(object->surface));
+        firstKsquad += ksquads;
+        firstFacingWord += ksquads * gpu::facingWordCount(static_cast<gpu::uint>(object->surface.degreeU()),
+                                                          static_cast<gpu::uint>(object->surface.degreeV()));
         firstBorder += static_cast<std::uint32_t>(
             2 * (object->surface.knotsU().spans().size() + object->surface.knotsV().spans().size()));
     }
@@ -99,6 +104,7 @@ gpu::SurfaceRecord surfaceRecordOf(const Resident& resident)
     gpu::SurfaceRecord record = makeSurfaceRecord(*resident.object, resident.frame, resident.firstPoint);
     record.firstKsquad = resident.firstKsquad;
     record.firstBorder = resident.firstBorder;
+    record.firstFacingWord = resident.firstFacingWord;
     return record;
 }
 

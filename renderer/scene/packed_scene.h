@@ -18,6 +18,7 @@ struct Resident {
     std::uint32_t firstPoint = 0;
     std::uint32_t firstKsquad = 0;
     std::uint32_t firstBorder = 0;
+    std::uint32_t firstFacingWord = 0;  // of the rays of its KSQuads (facing_forms.h)
 };
 
 [[nodiscard]] const Resident* findResident(const std::vector<Resident>& residents,

@@ -25,6 +25,7 @@ public:
     std::optional<BorderTables> update(const std::vector<CoincidentEdges::Change>& changes);
 
     [[nodiscard]] const BorderTables& tables() const { return tables_; }
+    [[nodiscard]] const CoincidentEdges& edges() const { return edges_; }
 
 private:
     void makeTables();

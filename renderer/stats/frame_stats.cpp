@@ -68,6 +68,13 @@ struct AsText {
                 text += (text.empty() ? "" : ", ") + cullModes()[mode].name + " " + grouped(culled[mode]);
         return text.empty() ? "0" : text;
     }
+    std::string operator()(const ModeCounts& counts) const
+    {
+        std::string text;
+        for (const auto& [mode, count] : counts)
+            text += (text.empty() ? "" : ", ") + mode + " " + grouped(count);
+        return text.empty() ? "nothing to count" : text;
+    }
     [[nodiscard]] std::string suffix() const { return field.unit.empty() ? "" : " " + field.unit; }
 };
 
@@ -82,6 +89,13 @@ struct AsJson {
         nlohmann::ordered_json object = nlohmann::ordered_json::object();
         for (size_t mode = 0; mode < culled.size(); ++mode)
             object[cullModes()[mode].name] = culled[mode];
+        return object;
+    }
+    nlohmann::ordered_json operator()(const ModeCounts& counts) const
+    {
+        nlohmann::ordered_json object = nlohmann::ordered_json::object();
+        for (const auto& [mode, count] : counts)
+            object[mode] = count;
         return object;
     }
     template <class T>
@@ -124,8 +138,10 @@ const std::vector<StatField>& statFields()
         KNOTSPAN_FIELD("ksquads", "KSQuads", "", ksquads),
         KNOTSPAN_FIELD("ksquads_drawn", "KSQuads drawn", "", ksquadsDrawn),
         KNOTSPAN_FIELD("ksquads_culled", "KSQuads culled", "", ksquadsCulled),
+        KNOTSPAN_FIELD("wrongly_culled", "Wrongly culled", "KSQuads", wronglyCulled),
         KNOTSPAN_FIELD("ksdice", "KSDice", "", ksdice),
         KNOTSPAN_FIELD("triangles", "Triangles", "", triangles),
+        KNOTSPAN_FIELD("triangles_culled", "Triangles culled", "", trianglesCulled),
         KNOTSPAN_FIELD("evaluations", "Evaluations", "", evaluations),
         KNOTSPAN_FIELD("mesh_groups", "Mesh groups", "", meshGroups),
         KNOTSPAN_FIELD("busy_lanes", "Busy lanes", "", busyLanes),

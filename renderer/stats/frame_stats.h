@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -14,10 +15,14 @@
 
 namespace knotspan {
 
+// KSQuads by the name of the culling mode that dropped them.
+using ModeCounts = std::vector<std::pair<std::string, std::uint64_t>>;
+
 struct FrameStats {
     std::string device;
     std::string path;
     std::vector<std::string> culling;
+    bool cullingFrozen = false;  // its camera stands still (Frame::cullingCamera)
     std::string sampling;
     std::string evaluator;  // the one in use, never "auto"
     double tolerancePx = 0;
@@ -27,9 +32,13 @@ struct FrameStats {
     std::uint64_t ksquads = 0;
     std::uint64_t ksquadsDrawn = 0;
     std::array<std::uint64_t, kCullModeCount> ksquadsCulled{};  // by the first mode that said so
+    // Of those: what faces the eye within the picture, whether or not something hides it. Only where asked
+    // for (Frame::countWrongCulls), of the modes that are on and that drop by facing or place.
+    std::optional<ModeCounts> wronglyCulled;
     std::uint64_t ksdice = 0;
     std::uint64_t triangles = 0;
-    std::uint64_t evaluations = 0;  // surface points evaluated to place vertices
+    std::optional<std::uint64_t> trianglesCulled;  // of those, before they were rasterized (evs)
+    std::uint64_t evaluations = 0;                 // surface points evaluated to place vertices
     // Of the path mesh: its mesh groups, and which share of their threads' turns made a vertex.
     std::optional<std::uint64_t> meshGroups;
     std::optional<double> busyLanes;
@@ -51,12 +60,12 @@ struct FrameStats {
 
 // Empty (the first kind): not measured, or not of this path. JSON leaves the key out then.
 using StatValue = std::variant<std::monostate, std::string, std::vector<std::string>, double, std::uint64_t,
-                               Spread, std::array<std::uint64_t, kCullModeCount>>;
+                               Spread, std::array<std::uint64_t, kCullModeCount>, ModeCounts>;
 
 struct StatField {
     std::string name;   // the key in JSON: a contract
     std::string label;  // for people
-    std::string unit;   // "px", "ms", "bytes" or empty
+    std::string unit;   // "px", "ms", "bytes", "KSQuads" or empty
     StatValue (*get)(const FrameStats&);
 };
 

@@ -15,6 +15,8 @@ public:
     void fetch(VkCommandBuffer commands) const;  // after it
     [[nodiscard]] gpu::Counters read() const;    // after the commands are done
 
+    [[nodiscard]] VkBuffer buffer() const { return counters_.get(); }
+
     // Room for so many captured vertices; 0 gives it back.
     void reserveCapture(std::uint32_t vertices);
     [[nodiscard]] std::uint32_t captureCapacity() const { return capacity_; }

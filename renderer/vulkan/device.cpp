@@ -122,6 +122,7 @@ void Device::findAbilities()
     // Every desktop driver has these, though Vulkan 1.3 does not promise them.
     if (features12.scalarBlockLayout == VK_FALSE || features.features.independentBlend == VK_FALSE ||
         features.features.fragmentStoresAndAtomics == VK_FALSE ||
+        features.features.shaderCullDistance == VK_FALSE ||
         properties_.limits.maxPerStageDescriptorStorageBuffers < BINDING_COUNT)
         throw VulkanError({"The graphics device " + name_ + " lacks what Knotspan draws with",
                            {},
@@ -188,6 +189,7 @@ void Device::createLogicalDevice()
     features.features.largePoints = present.largePoints;
     features.features.independentBlend = VK_TRUE;
     features.features.fragmentStoresAndAtomics = VK_TRUE;
+    features.features.shaderCullDistance = VK_TRUE;
 
     std::vector<const char*> extensions;
     if (mesh)

@@ -285,4 +285,13 @@ GroupCount groupsFor(std::uint32_t items, std::uint32_t itemsPerGroup)
     return {x, (groups + x - 1) / x};
 }
 
+void computeStep(VkCommandBuffer commands, const Pipeline& pipeline, const GroupCount& groups)
+{
+    constexpr VkPipelineStageFlags2 kCompute = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.get());
+    vkCmdDispatch(commands, groups.x, groups.y, 1);
+    memoryBarrier(commands, kCompute, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT, kCompute,
+                  VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT);
+}
+
 }  // namespace knotspan

@@ -72,5 +72,7 @@ struct GroupCount {
     std::uint32_t y;
 };
 [[nodiscard]] GroupCount groupsFor(std::uint32_t items, std::uint32_t itemsPerGroup);
+// A dispatch, and what it wrote made visible to the compute stages after it. Bindings are set for compute.
+void computeStep(VkCommandBuffer commands, const Pipeline& pipeline, const GroupCount& groups);
 
 }  // namespace knotspan

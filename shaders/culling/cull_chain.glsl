@@ -3,27 +3,41 @@
 #define KNOTSPAN_CULL_CHAIN_GLSL
 
 #include "../shared/counters.glsl"
+#include "../shared/frame_map.glsl"
+#include "../shared/verdicts.glsl"
+#include "evs.glsl"
+#include "frustum.glsl"
+#include "hull_on_screen.glsl"
 #include "lqc.glsl"
+#include "occlusion.glsl"
+#include "small.glsl"
 #include "surface.glsl"
+
+layout(set = 0, binding = BINDING_FACING_RAYS, scalar) readonly buffer RayBuffer { uint facingWords[]; };
+#include "../shared/facing_forms.glsl"
+layout(set = 0, binding = BINDING_FACING, scalar) readonly buffer FacingBuffer { FacingRecord facing[]; };
+#include "sqc.glsl"
 
 #define NOT_CULLED (-1)
 
 // The bit of the first mode that is on and says so, or NOT_CULLED.
-int culledBy(KsQuadRecord ksquad)
+int culledBy(uint ksquad)
 {
-    SurfaceView view = surfaceViews[ksquad.surface];
-#define KNOTSPAN_TEST(bit, name, culls, conservative, sentence)                                                    \
-    if ((frame.cullBits & (1u << bit)) != 0u && culls(ksquad, view))                                               \
+    SeenKsQuad seen = seenKsQuad(ksquad, frame.cullBits);
+#define KNOTSPAN_TEST(bit, name, culls, conservative, byDefault, colour, sentence)                                 \
+    if ((frame.cullBits & (1u << bit)) != 0u && culls(ksquad, seen))                                               \
         return bit;
     KNOTSPAN_CULL_LIST(KNOTSPAN_TEST)
 #undef KNOTSPAN_TEST
     return NOT_CULLED;
 }
 
+// The same, where a culling camera stands still as it was said from there.
+int verdictOn(uint ksquad) { return keepsVerdicts() ? int(verdicts[ksquad]) - 1 : culledBy(ksquad); }
+
 // Counts the verdict and says whether to draw.
-bool survivesCulling(uint index)
+bool survives(int mode)
 {
-    int mode = culledBy(ksquads[index]);
     if (mode == NOT_CULLED)
         return true;
     atomicAdd(counters.culled[mode], 1u);

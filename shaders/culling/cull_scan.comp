@@ -1,42 +1,26 @@
-// Step 2 of the VisibleList: where each group's part starts, the exclusive sum of the groups' counts, by one group of
-// threads in slices; and the total.
+// Step 3 of the VisibleList: where each group's parts of the two lists start; and the totals.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
 #include "../shared/counters.glsl"
 
-layout(local_size_x = SCAN_THREADS) in;
+layout(set = 0, binding = BINDING_CULL_GROUPS, scalar) buffer GroupBuffer { CullGroup groups[]; };
 
-layout(set = 0, binding = BINDING_CULL_GROUPS, scalar) buffer GroupBuffer { uint groups[][3]; };
+uvec2 countOf(uint group)
+{
+    return uvec2(bitCount(groups[group].visible[0]) + bitCount(groups[group].visible[1]),
+                 bitCount(groups[group].asking[0]) + bitCount(groups[group].asking[1]));
+}
+void startAt(uint group, uvec2 start) { groups[group].start = start; }
 
-shared uint sums[SCAN_THREADS];
-
-uint countOf(uint group) { return bitCount(groups[group][0]) + bitCount(groups[group][1]); }
+#include "../shared/scan.glsl"
 
 void main()
 {
-    uint lane = gl_LocalInvocationID.x;
-    uint groupCount = (frame.ksquadCount + CULL_KSQUADS - 1u) / CULL_KSQUADS;
-    uint slice = (groupCount + SCAN_THREADS - 1u) / SCAN_THREADS;
-    uint begin = min(lane * slice, groupCount);
-    uint end = min(begin + slice, groupCount);
-
-    uint sum = 0u;
-    for (uint group = begin; group < end; ++group)
-        sum += countOf(group);
-    sums[lane] = sum;
-    barrier();
-    uint start = 0u;
-    uint total = 0u;
-    for (uint other = 0u; other < SCAN_THREADS; ++other) {
-        start += other < lane ? sums[other] : 0u;
-        total += sums[other];
+    uvec2 total = scanGroups((frame.ksquadCount + CULL_KSQUADS - 1u) / CULL_KSQUADS);
+    if (gl_LocalInvocationID.x == 0u) {
+        counters.visible = total.x;
+        counters.drawn += total.x;
+        counters.asking = total.y;
     }
-    for (uint group = begin; group < end; ++group) {
-        groups[group][2] = start;
-        start += countOf(group);
-    }
-
-    if (lane == 0u)
-        counters.drawn = total;
 }

@@ -32,8 +32,8 @@ void main()
         needed[place] = 0u;
     barrier();
     uint index = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * AT_ONCE + place;
-    uint ksquad = index < counters.drawn ? visible[index] : 0u;
-    bool works = index < counters.drawn && (grids[ksquad].alongU | grids[ksquad].alongV) != 0u;
+    uint ksquad = index < counters.visible ? visible[index] : 0u;
+    bool works = index < counters.visible && (grids[ksquad].alongU | grids[ksquad].alongV) != 0u;
     if (works) {
         DrawnGrid grid = drawnGrid(ksquad, frame.snap);
         if (max(grid.u, grid.v) > 1u) {

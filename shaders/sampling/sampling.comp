@@ -1,4 +1,4 @@
-// How many cells each visible KSQuad asks for along its sides, by the frame's sampling rule (sampling_rules.glsl). By
+// How many cells each asking KSQuad (cull_asking.comp) asks for along its sides, by the frame's sampling rule (sampling_rules.glsl). By
 // the bound: first a thread a KSQuad, by one window for the whole; those that want more than one cell wait in a list, and
 // GRID_LANES threads work on each. One loop, so that the making of windows stands in the stage once.
 #version 460
@@ -9,7 +9,7 @@
 
 layout(local_size_x = SAMPLING_KSQUADS) in;
 
-layout(set = 0, binding = BINDING_VISIBLE, scalar) readonly buffer VisibleBuffer { uint visible[]; };
+layout(set = 0, binding = BINDING_ASKING, scalar) readonly buffer AskingBuffer { uint asking[]; };
 layout(set = 0, binding = BINDING_GRIDS, scalar) writeonly buffer GridBuffer { GridRecord grids[]; };
 
 // A ring: each entry that is taken comes back at most once for each turn.
@@ -58,16 +58,16 @@ void main()
     uint thread = gl_LocalInvocationID.x;
     uint index = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * SAMPLING_KSQUADS + thread;
     if (frame.samplingRule != RULE_BOUND) {
-        if (index < counters.drawn)
-            grids[visible[index]] = gridByLength(ksquads[visible[index]]);
+        if (index < counters.asking)
+            grids[asking[index]] = gridByLength(ksquads[asking[index]]);
         return;
     }
     if (thread == 0u)
         waiting = 0u;
     barrier();
     // Turn 0: a KSQuad a thread. Then AT_ONCE of those that wait.
-    bool works = index < counters.drawn;
-    uint ksquad = works ? visible[index] : 0u;
+    bool works = index < counters.asking;
+    uint ksquad = works ? asking[index] : 0u;
     uint place = 0u;
     uint lane = 0u;
     FirstGrid first = FirstGrid(1u, 1u, 1u, 1u, 0u);

@@ -2,7 +2,7 @@
 #ifndef KNOTSPAN_SAMPLING_RULES_GLSL
 #define KNOTSPAN_SAMPLING_RULES_GLSL
 
-#include "../shared/scene.glsl"
+#include "../shared/frame_map.glsl"
 #include "../shared/first_grid.glsl"
 
 KsQuadPlace placeOfNumbers(KsQuadRecord ksquad)
@@ -15,19 +15,6 @@ KsQuadPlace placeOfNumbers(KsQuadRecord ksquad)
     place.tableU = ksquad.spanU - uint((place.degreeU + 1) * (place.degreeU + 1));
     place.tableV = ksquad.spanV - uint((place.degreeV + 1) * (place.degreeV + 1));
     return place;
-}
-
-PixelMap pixelMap(uint surface)
-{
-    mat4x3 m = surfaceViews[surface].modelView;
-    mat4 rows = transpose(frame.projection * mat4(vec4(m[0], 0.0), vec4(m[1], 0.0), vec4(m[2], 0.0), vec4(m[3], 1.0)));
-    PixelMap map;
-    map.middle = 0.5 * frame.pixels;
-    map.x = map.middle.x * rows[0];
-    map.y = map.middle.y * rows[1];
-    map.z = rows[2];
-    map.w = rows[3];
-    return map;
 }
 
 // Whether the whole KSQuad lies behind the eye: its control points do (weights are positive, so it lies in their hull).

@@ -13,7 +13,7 @@ void main()
 {
     uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
     uint index = group * TILE_KSQUADS + gl_LocalInvocationID.x;
-    if (index >= counters.drawn)
+    if (index >= counters.visible)
         return;
     uint ksquad = visible[index];
     uint count = 0u;

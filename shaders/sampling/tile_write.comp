@@ -15,7 +15,7 @@ void main()
     uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
     uint first = group * TILE_KSQUADS;
     uint index = first + gl_LocalInvocationID.x;
-    if (index >= counters.drawn || tileCounts[index] == 0u)
+    if (index >= counters.visible || tileCounts[index] == 0u)
         return;
     uint place = groups[group][1];
     for (uint before = first; before < index; ++before)

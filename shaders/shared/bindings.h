@@ -9,7 +9,7 @@
 #define BINDING_SPAN_TABLES 4
 #define BINDING_CONTROL_POINTS 5
 #define BINDING_VISIBLE 6      // indices of the KSQuads to draw, in order
-#define BINDING_CULL_GROUPS 7  // for each group of KSQuads: two words of visible bits, where its part starts
+#define BINDING_CULL_GROUPS 7  // for each group of KSQuads: which are visible and which ask, where their parts start
 #define BINDING_DRAWS 8        // indirect draw commands
 #define BINDING_COUNTERS 9
 #define BINDING_CAPTURED 10    // vertices, or what the compute stage evaluated
@@ -18,7 +18,7 @@
 #define BINDING_BORDER_CORNERS 13  // where the vertices at the ends of those sides come from
 #define BINDING_BORDER_PIECES 14   // of sides that several others lie along
 #define BINDING_BORDER_USES 15     // who lies along those
-#define BINDING_BLOCK_TABLES 16    // for each span, how its control points make those of its quarters
+#define BINDING_ASKING 16          // indices of the KSQuads that choose a grid: the visible ones and their neighbours
 #define BINDING_GRIDS 17           // for each KSQuad, how finely this frame asks it to be drawn
 #define BINDING_TILES 18           // the parts of KSQuads' grids that this frame draws, in order
 #define BINDING_TILE_COUNTS 19     // tiles of each visible KSQuad
@@ -31,7 +31,15 @@
 #define BINDING_SURFACE_SPANS 26   // where the spans of whole surfaces lie (path surface)
 #define BINDING_REST_POINTS 27  // control points before a wave moved them
 #define BINDING_WAVES 28      // how the wave moves each surface's
-#define BINDING_COUNT 29
+#define BINDING_FACING 29     // for each KSQuad, which eyes it faces away from (culling mode sqc)
+#define BINDING_FACING_RAYS 30  // the same more closely
+#define BINDING_CANDIDATES 31   // bits of the KSQuads that only occlusion can still drop
+#define BINDING_SEEN 32         // bits of those that were not occluded in the last frame
+#define BINDING_SEEN_NOW 33     // and in this one
+#define BINDING_DEPTHS 34       // the depth pyramid
+#define BINDING_SHOWN_SHELLS 35  // for each shell, whether only the outside of its surfaces is shown
+#define BINDING_VERDICTS 36      // for each KSQuad, what a culling camera that stands still said of it
+#define BINDING_COUNT 37
 
 // Specialization constants.
 #define KNOTSPAN_LINES_CONSTANT 0      // of the overlays: lines, not points
@@ -43,6 +51,8 @@
 #define MESH_THREADS 128  // (MESH)
 #define CULL_KSQUADS 64   // KSQuads a group of cull.comp looks at: two words
 #define SCAN_THREADS 128
+#define PYRAMID_TEXELS 64
+#define OUTLINE_SEGMENTS 8u  // lines along each side of a rejected KSQuad
 #define SAMPLING_KSQUADS 64  // visible KSQuads a group of sampling.comp looks at
 #define TILE_KSQUADS 64   // visible KSQuads a group of tile_count.comp looks at
 #define GEOMETRY_SIDE 5   // cells along a side of a tile of the path geometry

@@ -13,8 +13,7 @@
 #ifndef KNOTSPAN_GRID_CHOICE_GLSL
 #define KNOTSPAN_GRID_CHOICE_GLSL
 
-#include "language.h"
-#include "layouts.h"
+#include "pixel_map.glsl"
 
 #ifdef __cplusplus
 #include <glm/common.hpp>
@@ -34,16 +33,6 @@ using std::sqrt;
 #define GRID_HUGE 3.0e38f
 // Of the numbers that a net's points are summed from: what float arithmetic may be off. In double it costs nothing.
 #define GRID_ROUNDING 4.8e-7f
-
-// From a surface's own coordinates to homogeneous pixels, measured from the picture's middle: rows.
-KNOTSPAN_TEMPLATE
-struct PixelMap {
-    KNOTSPAN_VEC4 x;
-    KNOTSPAN_VEC4 y;
-    KNOTSPAN_VEC4 z;   // of clip space: what shows has z <= w
-    KNOTSPAN_VEC4 w;
-    KNOTSPAN_VEC2 middle;  // half the picture's size
-};
 
 // Where a KSQuad's numbers are.
 struct KsQuadPlace {

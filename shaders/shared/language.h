@@ -31,27 +31,37 @@
 #define KNOTSPAN_IF_EVALUATOR(number) if constexpr (static_cast<uint>(evaluator) == number)
 #define KNOTSPAN_SCENE_TEMPLATE template <class Source>
 #define KNOTSPAN_INLINE inline
-#define KNOTSPAN_SOURCE const Source &source,
+#define KNOTSPAN_UNUSED [[maybe_unused]]
+#define KNOTSPAN_SOURCE [[maybe_unused]] const Source &source,
 #define KNOTSPAN_PASS_SOURCE source,
 #define KNOTSPAN_TABLE(index) source.spanTable(index)
 #define KNOTSPAN_POINT(index) source.controlPoint(index)
 #define KNOTSPAN_SURFACE(index) source.surface(index)
+#define KNOTSPAN_SURFACE_VIEW(index) source.surfaceView(index)
+#define KNOTSPAN_SHOWN_SIDE(index) source.shownSide(index)
+#define KNOTSPAN_PIXEL_MAP(index) source.pixelMap(index)
+#define KNOTSPAN_POSITION(index, t) source.position(index, t)
+#define KNOTSPAN_IS_VISIBLE(index) source.isVisible(index)
 #define KNOTSPAN_KSQUAD(index) source.ksquad(index)
 #define KNOTSPAN_GRID(index) source.grid(index)
 #define KNOTSPAN_BORDER_SIDE(index) source.borderSide(index)
 #define KNOTSPAN_BORDER_CORNER(index) source.borderCorner(index)
 #define KNOTSPAN_BORDER_PIECE(index) source.borderPiece(index)
 #define KNOTSPAN_BORDER_USE(index) source.borderUse(index)
+#define KNOTSPAN_FACING_WORD(index) source.facingWord(index)
+#define KNOTSPAN_FACING_BOX(index) source.facingBox(index)
 #define KNOTSPAN_OVERSAMPLES(kind) false
 #define KNOTSPAN_OF_REAL <Real>
 #define KNOTSPAN_OF_SOURCE <Source>
 #define KNOTSPAN_FLOAT2 vec2
+#define KNOTSPAN_FLOAT_MAP PixelMap<float>
 #define KNOTSPAN_VEC2 glm::vec<2, Real>
 #define KNOTSPAN_VEC3 glm::vec<3, Real>
 #define KNOTSPAN_VEC4 glm::vec<4, Real>
 
 namespace knotspan::gpu {
 using uint = std::uint32_t;
+using std::abs;
 using std::ceil;
 using std::floor;
 using std::max;
@@ -72,22 +82,31 @@ using glm::vec4;
 #define KNOTSPAN_IF_EVALUATOR(number) if (evaluator == uint(number))
 #define KNOTSPAN_SCENE_TEMPLATE
 #define KNOTSPAN_INLINE
+#define KNOTSPAN_UNUSED
 #define KNOTSPAN_SOURCE
 #define KNOTSPAN_PASS_SOURCE
 #define KNOTSPAN_TABLE(index) spanTable(index)
 #define KNOTSPAN_POINT(index) controlPoint(index)
 #define KNOTSPAN_SURFACE(index) surfaces[index]
+#define KNOTSPAN_SURFACE_VIEW(index) surfaceViews[index]
+#define KNOTSPAN_SHOWN_SIDE(index) shownSide(index)
+#define KNOTSPAN_PIXEL_MAP(index) pixelMap(index)
+#define KNOTSPAN_POSITION(index, t) positionOf(ksquads[index], t)
+#define KNOTSPAN_IS_VISIBLE(index) isVisible(index)
 #define KNOTSPAN_KSQUAD(index) ksquads[index]
 #define KNOTSPAN_GRID(index) grids[index]
 #define KNOTSPAN_BORDER_SIDE(index) borderSides[index]
 #define KNOTSPAN_BORDER_CORNER(index) borderCorners[index]
 #define KNOTSPAN_BORDER_PIECE(index) borderPieces[index]
 #define KNOTSPAN_BORDER_USE(index) borderUses[index]
+#define KNOTSPAN_FACING_WORD(index) facingWords[index]
+#define KNOTSPAN_FACING_BOX(index) facingBoxOf(facing[index])
 #define KNOTSPAN_OVERSAMPLES(kind) \
     ((frame.flags & ((kind) == BORDER_OPEN ? FRAME_OVERSAMPLE_OPEN : FRAME_OVERSAMPLE_SHARED)) != 0u)
 #define KNOTSPAN_OF_REAL
 #define KNOTSPAN_OF_SOURCE
 #define KNOTSPAN_FLOAT2 vec2
+#define KNOTSPAN_FLOAT_MAP PixelMap
 #ifdef KNOTSPAN_DOUBLE
 #define Real double
 #define KNOTSPAN_ROUNDING 1e-14lf  // of a coordinate, by evaluation

@@ -17,6 +17,8 @@ namespace knotspan::gpu {
 #define FRAME_OVERSAMPLE_SHARED 64u  // and so do those that others lie along
 #define FRAME_EVEN_TILES 128u        // tiles start at even cells
 #define FRAME_WHOLE_TILES 256u       // a grid that fits is one tile, its ring included
+#define FRAME_NOTE_VERDICTS 512u      // culling notes what it says of each KSQuad (verdicts.glsl)
+#define FRAME_KEEP_VERDICTS 1024u     // and reads what it noted
 #define FRAME_MEASURE_ERROR 8u  // the fragment stage measures each pixel's distance from the surface
 
 // How much of a measured error may be the rasterizer's: it rounds vertices to 1/256 pixel.
@@ -48,6 +50,7 @@ struct FrameRecord {
     uint triangleCapacity;
     uint taskTiles;       // tiles a task group takes, where a task stage draws them; else 0
     uint cullBits;
+    uint judgedBits;  // of the modes whose wrong decisions are counted
     uint ksquadCount;
     uint surfaceCount;
     uint pointCount;  // control points of all surfaces
@@ -68,6 +71,7 @@ struct SurfaceRecord {
     uint spansU;
     uint spansV;
     uint firstBorder;  // of its 2 (spansU + spansV) border sides, and of as many border corners (borders.glsl)
+    uint firstFacingWord;  // of its KSQuads' rays (facing_forms.glsl)
 };
 
 // The sides of a KSQuad, and its corners by bits: 1 for u = 1, 2 for v = 1. A side or a corner of KSQuad k is named
@@ -135,7 +139,16 @@ struct SurfaceView {
     mat4x3 modelView;  // from the surface's own coordinates to eye-relative view space
     vec4 eye;          // in the surface's own coordinates; w = 0: the direction towards an orthographic eye
     float facing;      // -1 where the transform mirrors, else 1
+    float side;        // 1: S_u x S_v points out of the body; -1: into it; 0: there is none
+    uint shell;        // the body: the number of its first surface
     float highlight;   // 1: drawn as selected
+};
+
+// A group of CULL_KSQUADS KSQuads. Bits by KSQuad; counts of visible and of asking ones before the group.
+struct CullGroup {
+    uint visible[2];
+    uint asking[2];
+    uvec2 start;
 };
 
 // The index of a KSQuad into its surface: never a copy.
@@ -151,10 +164,18 @@ struct KsQuadRecord {
 struct Counters {
     uint culled[KNOTSPAN_CULL_MODE_COUNT];
     uint drawn;
+    // Of the half of the frame that is drawn now; culling by occlusion draws in two.
+    uint visible;   // KSQuads in the VisibleList
+    uint asking;    // KSQuads that choose a grid
+    uint pyramidLevel;  // of the depth pyramid, that is made now
     uint captured;
-    uint tiles;       // wanted; beyond frame.tileCapacity the frame is drawn again with more room
-    uint meshVertices;  // wanted by the path compute; beyond frame.vertexCapacity the frame is drawn again
+    uint tiles;         // wanted
+    uint meshVertices;  // wanted by the path compute
     uint meshTriangles;
+    // The most that a half wanted: beyond frame.tileCapacity and the like the frame is drawn again with more room.
+    uint mostTiles;
+    uint mostVertices;
+    uint mostTriangles;
     uint meshGroups;  // of the path mesh
     uint errorBound;  // float bits: the largest bound of a KSQuad's grid, pixels
     uint errorMax;    // float bits: the largest error measured, pixels
@@ -165,6 +186,8 @@ struct Counters {
     uint ksdice[2];
     uint triangles[2];
     uint evaluations[2];
+    uint trianglesCulled[2];  // of `triangles`, by evs
+    uint wronglyCulled[KNOTSPAN_CULL_MODE_COUNT];  // of culled: what shows (wrong_culls.comp)
 };
 
 // A vertex as a stage computed it.
@@ -248,7 +271,7 @@ struct OverlayConstants {
 #define NO_MARK 0xffffffffu
 
 #ifdef __cplusplus
-static_assert(sizeof(FrameRecord) == 160 && sizeof(SurfaceRecord) == 92 && sizeof(SurfaceView) == 72);
+static_assert(sizeof(FrameRecord) == 164 && sizeof(SurfaceRecord) == 96 && sizeof(SurfaceView) == 80);
 static_assert(sizeof(BorderSide) == 8 && sizeof(BorderPiece) == 32 && sizeof(BorderUse) == 8);
 static_assert(sizeof(GridRecord) == 8 && sizeof(TileRecord) == 24);
 static_assert(sizeof(KsQuadRecord) == 16 && sizeof(CapturedRecord) == 56);

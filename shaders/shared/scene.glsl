@@ -10,6 +10,7 @@
 layout(set = 0, binding = BINDING_FRAME, scalar) readonly buffer FrameBuffer { FrameRecord frame; };
 layout(set = 0, binding = BINDING_SURFACES, scalar) readonly buffer SurfaceBuffer { SurfaceRecord surfaces[]; };
 layout(set = 0, binding = BINDING_SURFACE_VIEWS, scalar) readonly buffer ViewBuffer { SurfaceView surfaceViews[]; };
+layout(set = 0, binding = BINDING_SHOWN_SHELLS, scalar) readonly buffer ShellBuffer { uint shownShells[]; };
 layout(set = 0, binding = BINDING_KSQUADS, scalar) readonly buffer KsQuadBuffer { KsQuadRecord ksquads[]; };
 layout(set = 0, binding = BINDING_SPAN_TABLES, scalar) readonly buffer TableBuffer { Real spanTables[]; };
 layout(set = 0, binding = BINDING_CONTROL_POINTS, scalar) readonly buffer PointBuffer { KNOTSPAN_VEC4 controlPoints[]; };
@@ -113,6 +114,20 @@ vec3 normalToView(uint surface, vec3 normal)
     mat4x3 m = surfaceViews[surface].modelView;
     mat3 cofactors = mat3(cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1]));
     return vec3(directionOf(cofactors * normal));
+}
+
+// 1: only the side that S_u x S_v points to is shown; -1: only the other one; 0: both.
+float shownSide(uint surface) { return surfaceViews[surface].side * float(shownShells[surfaceViews[surface].shell]); }
+
+// Less than 0 where a point of a surface of which one side is shown faces away: every vertex' cull distance. Triangles all of
+// whose vertices do nobody can see, so that they are dropped whatever the culling mode, and no mode changes a pixel.
+float shownTowards(uint surface, vec3 viewPosition, vec3 viewNormal)
+{
+    float side = shownSide(surface) * surfaceViews[surface].facing;
+    if (side == 0.0)
+        return 1.0;
+    bool orthographic = (frame.flags & FRAME_ORTHOGRAPHIC) != 0u;
+    return side * dot(viewNormal, orthographic ? vec3(0.0, 0.0, 1.0) : -viewPosition);
 }
 
 vec4 toClip(vec3 viewPosition) { return frame.projection * vec4(viewPosition, 1.0); }

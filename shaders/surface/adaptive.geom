@@ -218,6 +218,7 @@ void drawPart(uint part, Outline outline)
     }
     for (uint k = 0u; k < count; ++k) {
         gl_Position = vertices[listed[k]].clip;
+        gl_CullDistance[0] = vertices[listed[k]].shown;
         outPosition = vertices[listed[k]].view;
         outNormal = vertices[listed[k]].normal;
         outT = vertices[listed[k]].t;
@@ -276,7 +277,8 @@ void main()
             continue;
         uint slot = slotOf(corner);
         vertices[slot] = DrawnVertex(gl_in[k].gl_Position, inPosition[k], inNormal[k], inT[k],
-                                     inInverseWeight[k]);
+                                     inInverseWeight[k],
+                                     shownTowards(ksquads[ksquad].surface, inPosition[k], inNormal[k]));
         made |= 1u << slot;
     }
     // Of a triangle the part on whose outer side it lies: those corners have been evaluated.

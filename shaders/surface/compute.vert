@@ -14,6 +14,9 @@ void main()
     gl_Position = vertices[gl_VertexIndex].clip;
     outPosition = vertices[gl_VertexIndex].view;
     outNormal = vertices[gl_VertexIndex].normal;
+    gl_CullDistance[0] =
+        shownTowards(ksquads[vertices[gl_VertexIndex].ksquad].surface, vertices[gl_VertexIndex].view,
+                     vertices[gl_VertexIndex].normal);
     outT = vertices[gl_VertexIndex].t;
     outWeightedT = vertices[gl_VertexIndex].inverseWeight * vertices[gl_VertexIndex].t;
     outInverseWeight = vertices[gl_VertexIndex].inverseWeight;

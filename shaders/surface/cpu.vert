@@ -15,6 +15,7 @@ void main()
     outPosition = toView(ksquads[vertex.source].surface, vertex.position);
     gl_Position = toClip(outPosition);
     outNormal = normalToView(ksquads[vertex.ksquad].surface, vertex.normal);
+    gl_CullDistance[0] = shownTowards(ksquads[vertex.ksquad].surface, outPosition, outNormal);
     outT = vertex.t;
     outInverseWeight = inverseWeight(vertex.weight);
     outWeightedT = outInverseWeight * vertex.t;

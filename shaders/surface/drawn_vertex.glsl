@@ -7,6 +7,7 @@ struct DrawnVertex {
     vec3 normal;  // view space
     vec2 t;
     float inverseWeight;
+    float shown;  // its cull distance
 };
 
 DrawnVertex drawnVertex(GridVertex at, uint index)
@@ -20,6 +21,7 @@ DrawnVertex drawnVertex(GridVertex at, uint index)
     drawn.normal = normalToView(ksquad.surface, vertex.normal);
     drawn.t = at.t;
     drawn.inverseWeight = inverseWeight(vertex.weight);
+    drawn.shown = shownTowards(ksquad.surface, drawn.view, drawn.normal);
     captureVertex(CapturedRecord(index, at.t, at.source, vertex.at.position, vertex.normal, drawn.clip));
     return drawn;
 }

@@ -56,5 +56,5 @@ void main()
     if ((frame.flags & FRAME_KNOT_LINES) != 0u)
         colour = mix(colour, vec3(0.015), 0.8 * knotLine(place.t));
     outColour = vec4(encodedSrgb(colour), 1.0);
-    outSurface = surface + 1u;
+    outPicked = place.ksquad + 1u;
 }

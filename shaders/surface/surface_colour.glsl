@@ -1,6 +1,6 @@
 // What the fragment stages write, and what their colours have in common.
 layout(location = 0) out vec4 outColour;   // sRGB, encoded here
-layout(location = 1) out uint outSurface;  // index + 1, for picking
+layout(location = 1) out uint outPicked;  // the index + 1 of the KSQuad, for picking
 
 // Where a place on a triangle is: inside which KSQuad. A triangle of a whole surface lies on several.
 struct PixelPlace {

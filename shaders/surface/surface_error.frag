@@ -183,5 +183,5 @@ void main()
     if ((frame.flags & FRAME_KNOT_LINES) != 0u)
         colour = mix(colour, vec3(0.06), 0.8 * knotLine(pixelPlace(inT).t));
     outColour = vec4(colour, 1.0);
-    outSurface = surface + 1u;
+    outPicked = pixelPlace(inT).ksquad + 1u;
 }

@@ -27,6 +27,7 @@ void main()
     }
     DrawnVertex vertex = drawnVertex(at, tile.ksquad);
     gl_Position = vertex.clip;
+    gl_CullDistance[0] = vertex.shown;
     outPosition = vertex.view;
     outNormal = vertex.normal;
     outT = vertex.t;

@@ -6,6 +6,7 @@
 
 #include "../shared/counters.glsl"
 #include "../culling/surface.glsl"
+#include "../shared/verdicts.glsl"
 
 layout(vertices = 1) out;
 
@@ -47,8 +48,12 @@ void main()
         gl_TessLevelOuter[k] = 0.0;
     gl_TessLevelInner[0] = 0.0;
     gl_TessLevelInner[1] = 0.0;
-    if ((frame.cullBits & 1u << kSurfaceBit) != 0u &&
-        culledBySurface(ksquads[surfaces[surface].firstKsquad], surfaceViews[surface])) {
+    SeenKsQuad seen;
+    seen.view = surfaceViews[surface];
+    uint first = surfaces[surface].firstKsquad;
+    bool culled = keepsVerdicts() ? verdicts[first] != 0u
+                                  : (frame.cullBits & 1u << kSurfaceBit) != 0u && culledBySurface(first, seen);
+    if (culled) {
         atomicAdd(counters.culled[kSurfaceBit], ksquadCount);
         return;
     }

@@ -29,5 +29,6 @@ void main()
     outWeightedT = outInverseWeight * at;
     outKsquad = surfaces[surface].firstKsquad;
     gl_Position = toClip(outPosition);
+    gl_CullDistance[0] = shownTowards(surface, outPosition, outNormal);
     captureVertex(CapturedRecord(ksquad, t, ksquad, vertex.at.position, vertex.normal, gl_Position));
 }

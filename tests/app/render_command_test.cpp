@@ -69,6 +69,23 @@ TEST_F(RenderCommand, WritesAPictureAndTheFiguresOfTheContract)
     EXPECT_EQ(stats.at("upload_bytes_per_frame"), 0);
 }
 
+TEST_F(RenderCommand, CountsWrongDecisionsOfCullingWhenAsked)
+{
+    needDevice();
+    if (IsSkipped())
+        return;
+    const std::vector<std::string> lookingUp{"--view", "bottom", "--culling", "lqc", "--stats", "-"};
+    const std::string plain = render(lookingUp);
+    EXPECT_FALSE(Json::parse(output).contains("wrongly_culled"));
+    std::vector<std::string> counting = lookingUp;
+    counting.emplace_back("--count-wrong");
+    EXPECT_EQ(render(counting), plain);
+    // Both sides of a sheet show: all that was dropped should have been drawn.
+    const Json stats = Json::parse(output);
+    EXPECT_GT(stats.at("wrongly_culled").at("lqc"), 0);
+    EXPECT_EQ(stats.at("wrongly_culled").at("lqc"), stats.at("ksquads_culled").at("lqc"));
+}
+
 TEST_F(RenderCommand, EachOptionChangesThePicture)
 {
     needDevice();
@@ -132,6 +149,7 @@ TEST_F(RenderCommand, RefusesWrongCalls)
                                                {"--frames", "0"},
                                                {"--frames", "1.5"},
                                                {"--deform", "banana"},
+                                               {"--count-wrong"},
                                                {"--device", "-1"},
                                                {"--device", "banana"},
                                                {"--friends"}}) {

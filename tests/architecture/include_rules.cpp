@@ -109,7 +109,7 @@ std::string libraryRefusal(const FolderRule& rule, const std::string& included)
     if (namesDisk(included) && rule.disk == Disk::no) {
         return "knows of no files";
     }
-    if (startsWith(included, "CLI/") && rule.folder != "app") {
+    if (startsWith(included, "CLI/") && rule.folder != "app" && rule.folder != "benchmarks/frames") {
         return "reads no command line";
     }
     if (startsWith(included, "hwy/") && rule.folder != "model/geometry" &&
@@ -193,7 +193,9 @@ std::vector<FolderRule> makeRules()
          .disk = Disk::names,
          .qt = true},
         {.folder = "renderer/vulkan", .mayInclude = scene + Folders{"shaders/spirv.h"}, .vulkan = true},
-        {.folder = "renderer/scene", .mayInclude = scene + Folders{"renderer/vulkan"}, .vulkan = true},
+        {.folder = "renderer/scene",
+         .mayInclude = scene + Folders{"renderer/vulkan", "shaders/culling"},
+         .vulkan = true},
         {.folder = "renderer/culling", .mayInclude = drawing, .vulkan = true},
         {.folder = "renderer/sampling", .mayInclude = drawing, .vulkan = true},
         {.folder = "renderer/paths", .mayInclude = drawing, .vulkan = true},
@@ -217,7 +219,9 @@ std::vector<FolderRule> makeRules()
         {.folder = "benchmarks/evaluation",
          .mayInclude = values + Folders{"benchmarks/evaluation"},
          .openCascade = true},
-        {.folder = "benchmarks/deforming", .mayInclude = scene + Folders{"model/samples", "renderer/scene"}},
+        // Above the renderer, by its front; a program of its own.
+        {.folder = "benchmarks/frames",
+         .mayInclude = scene + front + Folders{"benchmarks/frames", "model/samples"}},
         {.folder = "shaders", .mayInclude = {}},
         {.folder = "shaders/shared", .mayInclude = {}},
         {.folder = "shaders/surface", .mayInclude = {"shaders/shared", "shaders/culling"}},

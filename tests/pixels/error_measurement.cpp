@@ -50,7 +50,7 @@ std::vector<PathInfo> boundPaths(Renderer& renderer)
 
 std::uint64_t leaks(Renderer& renderer, const Scene& scene, const Frame& frame, double errorPx)
 {
-    const auto shown = renderer.captureSurfaces();
+    const auto shown = renderer.captureKsQuads();
     if (!shown) {
         ADD_FAILURE() << shown.error().sentence();
         return 0;

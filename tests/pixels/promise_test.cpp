@@ -77,12 +77,12 @@ private:
         const double bound = std::min(frame_.tolerancePx, stats->errorBoundPx.value_or(frame_.tolerancePx));
         EXPECT_LE(stats->errorPxMax.value(), bound + KNOTSPAN_ERROR_NOISE_PX);
         lost_ += stats->errorPixelsLost.value();
-        const auto surfaces = renderer_->captureSurfaces();
-        ASSERT_TRUE(surfaces) << surfaces.error().sentence();
-        const auto& indices = surfaces->indices;
+        const auto pixels = renderer_->captureKsQuads();
+        ASSERT_TRUE(pixels) << pixels.error().sentence();
+        const auto& indices = pixels->indices;
         shown_ += indices.size() - static_cast<size_t>(std::count(indices.begin(), indices.end(), 0U));
         if (isClosed_) {
-            EXPECT_EQ(countLeaks(scene_, frame_, *surfaces, frame_.tolerancePx), 0U);
+            EXPECT_EQ(countLeaks(scene_, frame_, *pixels, frame_.tolerancePx), 0U);
         }
     }
 

@@ -5,7 +5,6 @@
 #include <map>
 #include <set>
 
-#include "model/geometry/knot_insertion.h"
 #include "model/samples/sample_list.h"
 #include "tests/joined_surfaces.h"
 #include "tests/renderer/render_support.h"
@@ -22,26 +21,6 @@ Bits bitsOf(const Vec4& clip)
     for (int k = 0; k < 4; ++k)
         bits[static_cast<size_t>(k)] = std::bit_cast<std::uint32_t>(static_cast<float>(clip[k]));
     return bits;
-}
-
-// A torus cut into surfaces that meet in T-joints, some of them told with another degree or direction.
-Scene torusWithTJoints()
-{
-    const Scene torus = findSample("torus")->make();
-    const NurbsSurface& whole = torus.objects().begin()->second->surface;
-    const auto part = [&](double startU, double endU, double startV, double endV) {
-        return clampedPart(clampedPart(whole, Direction::U, startU, endU), Direction::V, startV, endV);
-    };
-    const NurbsSurface parts[] = {part(0, 4.3, 0, 2.5),   elevatedU(part(0, 4.3, 2.5, 5.1)),
-                                  part(0, 4.3, 5.1, 8),   reversedU(part(4.3, 8, 0, 3.3)),
-                                  part(4.3, 8, 3.3, 6.7), exchanged(part(4.3, 8, 6.7, 8))};
-    Scene scene;
-    for (const NurbsSurface& surface : parts) {
-        SceneObject object = *torus.objects().begin()->second;
-        object.surface = surface;
-        scene.add(std::move(object));
-    }
-    return scene;
 }
 
 struct Case {

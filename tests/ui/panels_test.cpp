@@ -47,12 +47,17 @@ TEST(RenderingPanel, ShowsEveryPathCullingModeShadingAndEvaluator)
     evaluator->setCurrentText("stair");
     Q_EMIT evaluator->activated(evaluator->currentIndex());
     EXPECT_EQ(viewport.frame().evaluator, Evaluator::stair);
-    EXPECT_EQ(panel.findChildren<QCheckBox*>().size(), kCullModeCount);
+    EXPECT_EQ(panel.findChildren<QCheckBox*>().size(), kCullModeCount + 1);
     for (const CullMode& mode : cullModes()) {
         const auto* check = panel.findChild<QCheckBox*>("culling-" + QString::fromStdString(mode.name));
         ASSERT_NE(check, nullptr) << mode.name;
         EXPECT_EQ(check->toolTip().toStdString(), mode.description);
     }
+    auto* counting = panel.findChild<QCheckBox*>("count-wrong");
+    ASSERT_NE(counting, nullptr);
+    EXPECT_FALSE(viewport.frame().countWrongCulls);
+    counting->click();
+    EXPECT_TRUE(viewport.frame().countWrongCulls);
 }
 
 TEST(RenderingPanel, APathThatTheDeviceCannotRunIsGreyedWithTheReason)

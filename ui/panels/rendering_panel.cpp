@@ -8,9 +8,12 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
+#include <QGridLayout>
 #include <QGroupBox>
 #include <QHBoxLayout>
+#include <QIcon>
 #include <QLabel>
+#include <QPixmap>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QSpinBox>
@@ -61,6 +64,14 @@ void describe(QWidget* widget, const QString& name, const QString& tip)
     widget->setAccessibleName(name);
     widget->setToolTip(tip);
     widget->setStatusTip(tip);
+}
+
+// What frozen culling outlines in it.
+QIcon swatch(std::uint32_t colour)
+{
+    QPixmap square(12, 12);
+    square.fill(QColor::fromRgb(colour));
+    return square;
 }
 
 QString whyToleranceIsIdle(const PathInfo& chosen, const Renderer* renderer)
@@ -178,19 +189,29 @@ QWidget* RenderingPanel::makeEvaluatorPicker()
 QWidget* RenderingPanel::makeCulling()
 {
     auto* box = new QWidget(this);
-    auto* rows = new QVBoxLayout(box);
+    auto* rows = new QGridLayout(box);
     rows->setContentsMargins(0, 0, 0, 0);
+    rows->setVerticalSpacing(2);
+    constexpr int kColumns = 2;
     int bit = 0;
     for (const CullMode& mode : cullModes()) {
         auto* check = new QCheckBox(text(mode.name), box);
+        check->setIcon(swatch(mode.colour));
         check->setObjectName("culling-" + text(mode.name));
         describe(check, tr("Culling: %1").arg(text(mode.name)), text(mode.description));
         connect(check, &QCheckBox::clicked, this,
                 [this, bit](bool on) { change([&](Frame& frame) { frame.culling.set(bit, on); }); });
-        rows->addWidget(check);
+        rows->addWidget(check, bit / kColumns, bit % kColumns);
         culling_.push_back(check);
         ++bit;
     }
+    countWrong_ = new QCheckBox(tr("Count wrong decisions"), box);
+    countWrong_->setObjectName("count-wrong");
+    describe(countWrong_, tr("Count wrong decisions"),
+             tr("Shows in the statistics how often culling drops what faces the eye within the picture"));
+    connect(countWrong_, &QCheckBox::clicked, this,
+            [this](bool on) { change([&](Frame& frame) { frame.countWrongCulls = on; }); });
+    rows->addWidget(countWrong_, rows->rowCount(), 0, 1, kColumns);
     return box;
 }
 
@@ -268,6 +289,7 @@ void RenderingPanel::showFrame()
     evaluator_->setCurrentIndex(evaluator_->findData(static_cast<int>(frame.evaluator)));
     for (size_t mode = 0; mode < culling_.size(); ++mode)
         culling_[mode]->setChecked(frame.culling.has(static_cast<int>(mode)));
+    countWrong_->setChecked(frame.countWrongCulls);
     const QSignalBlocker quietSlider(slider_);
     const QSignalBlocker quietBox(tolerance_);
     slider_->setValue(stepFor(frame.tolerancePx));

@@ -51,6 +51,7 @@ private:
     QSpinBox* cells_ = nullptr;  // of the rule `fixed`
     QComboBox* evaluator_ = nullptr;
     std::vector<QCheckBox*> culling_;
+    QCheckBox* countWrong_ = nullptr;
     QSlider* slider_ = nullptr;
     QDoubleSpinBox* tolerance_ = nullptr;
     std::vector<QToolButton*> presets_;

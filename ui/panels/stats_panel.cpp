@@ -31,7 +31,9 @@ void StatsPanel::setStats(const FrameStats& stats)
     int row = 0;
     for (const StatField& field : statFields()) {
         QTreeWidgetItem* item = topLevelItem(row++);
-        const QString value = QString::fromStdString(display(field, stats));
+        QString value = QString::fromStdString(display(field, stats));
+        if (field.name == "culling" && stats.cullingFrozen)
+            value = tr("frozen: %1").arg(value);
         if (item->text(1) == value)
             continue;
         item->setText(1, value);

@@ -42,6 +42,8 @@ Viewport::Viewport(Document& document, Selection& selection, QWidget* parent)
         cancelDrag();
         selection_.clear();
         viewPending_ = true;
+        frame_.cullingCamera.reset();  // it stood before another model
+        Q_EMIT frameChanged();
     });
     connect(&document_, &Document::sceneChanged, this, [this] {
         selection_.keepOnly(document_.scene());
@@ -50,6 +52,7 @@ Viewport::Viewport(Document& document, Selection& selection, QWidget* parent)
     });
     connect(&selection_, &Selection::changed, this, &Viewport::requestDraw);
     frame_.camera.up = {0, 0, 1};
+    frame_.culling = defaultCulling();
     restart();
 }
 

@@ -1,0 +1,42 @@
+// Which side of each surface a camera can see: of a closed body that it looks at from outside only the
+// outside; of all others both.
+#pragma once
+
+#include "model/analysis/shells.h"
+#include "renderer/scene/camera.h"
+#include "renderer/scene/packed_scene.h"
+
+namespace knotspan {
+
+// In two parts, so that a body that is torn open and closed again changes one number of the device's.
+struct SideTables {
+    std::vector<float> sides;           // by surface, as gpu::SurfaceView has them; the last ones known
+    std::vector<std::uint32_t> shells;  // by surface: the number of its shell's first one
+    std::vector<std::uint32_t> shown;   // by that number: 1 where only the outside is shown
+
+    // As shownSide() of scene.glsl.
+    [[nodiscard]] float shownSide(size_t surface) const
+    {
+        return sides[surface] * static_cast<float>(shown[shells[surface]]);
+    }
+    [[nodiscard]] bool anyShownAlone() const;
+};
+
+class ShownSides {
+public:
+    // By resident. `edges` are those of the residents; `bounds` sets the depth range, as in
+    // Camera::projection().
+    [[nodiscard]] SideTables of(const std::vector<Resident>& residents, const CoincidentEdges& edges,
+                                const Camera& camera, double aspect, const Box& bounds);
+    // Both sides of all.
+    [[nodiscard]] static SideTables all(size_t surfaces);
+
+private:
+    void follow(const std::vector<Resident>& residents, const CoincidentEdges& edges);
+
+    Shells shells_;
+    std::vector<SharedObject> held_;
+    std::vector<float> sides_;
+};
+
+}  // namespace knotspan

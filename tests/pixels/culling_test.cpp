@@ -1,0 +1,128 @@
+// Conservative culling changes no pixel: the picture with each such mode, and with all of them, is to the bit
+// that without, on every path. KNOTSPAN_SWEEP=50 takes all 50 views of each closed sample; without it a few.
+#include <algorithm>
+
+#include "model/samples/sample_list.h"
+#include "tests/pixels/error_measurement.h"
+
+namespace knotspan::testing {
+namespace {
+
+std::vector<CullSet> conservativeSets()
+{
+    std::vector<CullSet> sets;
+    CullSet all;
+    for (int mode = 0; mode < kCullModeCount; ++mode)
+        if (cullModes()[static_cast<size_t>(mode)].conservative) {
+            all.set(mode, true);
+            sets.push_back({1U << mode});
+        }
+    sets.push_back(all);
+    return sets;
+}
+
+std::uint64_t culled(const FrameStats& stats)
+{
+    std::uint64_t sum = 0;
+    for (const std::uint64_t count : stats.ksquadsCulled)
+        sum += count;
+    return sum;
+}
+
+class ConservativeCulling : public ::testing::TestWithParam<PathId> {
+protected:
+    // What is drawn with `culling`, of a scene that is held.
+    Picture pictureWith(Renderer& renderer, Frame frame, const CullSet& culling)
+    {
+        frame.culling = culling;
+        const auto stats = renderer.draw(frame);
+        EXPECT_TRUE(stats) << stats.error().sentence();
+        if (!stats)
+            return {};
+        culled_ += culled(*stats);
+        auto picture = renderer.capture();
+        EXPECT_TRUE(picture) << picture.error().sentence();
+        return picture ? *picture : Picture{};
+    }
+
+    void expectSamePictures(Renderer& renderer, const Frame& frame)
+    {
+        const Picture without = pictureWith(renderer, frame, {});
+        for (const CullSet& set : conservativeSets()) {
+            const Picture with = pictureWith(renderer, frame, set);
+            size_t differing = 0;
+            for (size_t k = 0; k < without.rgba.size(); ++k)
+                differing += with.rgba[k] != without.rgba[k];
+            EXPECT_EQ(differing, 0U) << "bytes, with " << ::testing::PrintToString(names(set));
+        }
+    }
+
+    std::uint64_t culled_ = 0;
+};
+
+TEST_P(ConservativeCulling, ChangesNoPixelOfClosedModels)
+{
+    KNOTSPAN_NEED_RENDERER(renderer);
+    KNOTSPAN_NEED_PATH(*renderer, GetParam());
+    const int views = sweepViews(4);
+    for (const char* name : {"torus", "sphere", "knot"}) {
+        const Scene scene = findSample(name)->make();
+        ASSERT_TRUE(renderer->sync(scene));
+        std::mt19937 random(5);
+        Frame frame = frameOf(scene, GetParam(), isWholeSweep() ? 320 : 120, isWholeSweep() ? 240 : 90);
+        // Many KSQuads take their time.
+        const int few = name == std::string("knot") && !isWholeSweep() ? 1 : views;
+        for (int view = 0; view < few; ++view) {
+            frame.camera = randomCamera(random, scene.bounds(), 0.02);
+            frame.tolerancePx = view % 2 == 0 ? 0.5 : 2;
+            SCOPED_TRACE(std::string(name) + ", view " + std::to_string(view));
+            expectSamePictures(*renderer, frame);
+        }
+    }
+    if (GetParam() != PathId::surface) {  // it knows no KSQuads
+        EXPECT_GT(culled_, 0U);
+    }
+    RecordProperty("culled", std::to_string(culled_));
+}
+
+// Two thirds of a body outside of the picture, an eye within a body, a mirrored body, one whose normals point
+// inwards.
+TEST_P(ConservativeCulling, ChangesNoPixelFromInsideNorOfMirroredOrTurnedBodies)
+{
+    KNOTSPAN_NEED_RENDERER(renderer);
+    KNOTSPAN_NEED_PATH(*renderer, GetParam());
+    const Scene torus = findSample("torus")->make();
+    for (const bool mirrored : {false, true}) {
+        SceneObject object = *torus.objects().begin()->second;
+        if (mirrored)
+            object.transform[0] *= -1.0;
+        Scene scene;
+        scene.add(std::move(object));
+        ASSERT_TRUE(renderer->sync(scene));
+        Frame frame = frameOf(scene, GetParam(), 120, 90);
+        expectSamePictures(*renderer, frame);
+        frame.camera.eye = {mirrored ? -2.0 : 2.0, 0, 0};  // in the middle of the tube
+        frame.camera.target = {0, 2, 0};
+        expectSamePictures(*renderer, frame);
+    }
+}
+
+std::string pathName(const ::testing::TestParamInfo<PathId>& test)
+{
+    std::string name = pathInfo(test.param).name;
+    name.erase(std::remove_if(name.begin(), name.end(), [](char c) { return c == '-'; }), name.end());
+    return name;
+}
+
+std::vector<PathId> allPaths()
+{
+    std::vector<PathId> found;
+    for (const PathInfo& path : paths())
+        found.push_back(path.id);
+    return found;
+}
+
+INSTANTIATE_TEST_SUITE_P(Path, ConservativeCulling, ::testing::ValuesIn(allPaths()), pathName);
+
+}  // namespace
+}  // namespace knotspan::testing
