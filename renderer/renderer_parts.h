@@ -118,6 +118,9 @@ private:
     double syncMs_ = 0;  // of syncs since the last frame
 };
 
+// The culling modes whose wrong decisions are counted.
+[[nodiscard]] std::uint32_t judgedBits(const Frame& frame, const SurfacePath& path, SamplingRule rule);
+
 struct Swapchain::Parts {
     WindowImages images;
 };

@@ -29,7 +29,10 @@ struct CullSource {
     [[nodiscard]] float shownSide(gpu::uint) const { return seen.side; }
     [[nodiscard]] const gpu::PixelMap<float>& pixelMap(gpu::uint) const { return seen.map; }
 
-    [[nodiscard]] gpu::FacingBox facingBox(gpu::uint k) const { return gpu::facingBoxOf(seen.facing->boxes()[k]); }
+    [[nodiscard]] gpu::FacingBox facingBox(gpu::uint k) const
+    {
+        return gpu::facingBoxOf(seen.facing->boxes()[k]);
+    }
     [[nodiscard]] gpu::uint facingWord(gpu::uint k) const { return seen.facing->words()[k]; }
 
     [[nodiscard]] gpu::vec3 position(gpu::uint k, const gpu::vec2& t) const
@@ -50,9 +53,18 @@ struct CullSource {
 int culledBy(const CpuScene& scene, std::uint32_t ksquad, const CullView& view, std::uint32_t cullBits)
 {
     const CullSource source{scene, view};
-    const gpu::SeenKsQuad seen = gpu::seenKsQuad(source, ksquad, cullBits);
+    gpu::SeenKsQuad seen = gpu::seenKsQuad(source, ksquad);
 #define KNOTSPAN_TEST(bit, name, culls, conservative, byDefault, colour, sentence) \
-    if ((cullBits & (1U << (bit))) != 0 && gpu::culls(source, ksquad, seen))       \
+    if ((CULL_LATE & (1U << (bit))) == 0 && (cullBits & (1U << (bit))) != 0 &&     \
+        gpu::culls(source, ksquad, seen))                                          \
+        return bit;
+    KNOTSPAN_CULL_LIST(KNOTSPAN_TEST)
+#undef KNOTSPAN_TEST
+    if ((cullBits & CULL_BY_HULL) != 0)
+        seen.hull = gpu::hullOnScreen(source, ksquad);
+#define KNOTSPAN_TEST(bit, name, culls, conservative, byDefault, colour, sentence) \
+    if ((CULL_LATE & (1U << (bit))) != 0 && (cullBits & (1U << (bit))) != 0 &&     \
+        gpu::culls(source, ksquad, seen))                                          \
         return bit;
     KNOTSPAN_CULL_LIST(KNOTSPAN_TEST)
 #undef KNOTSPAN_TEST

@@ -23,9 +23,16 @@ layout(set = 0, binding = BINDING_FACING, scalar) readonly buffer FacingBuffer {
 // The bit of the first mode that is on and says so, or NOT_CULLED.
 int culledBy(uint ksquad)
 {
-    SeenKsQuad seen = seenKsQuad(ksquad, frame.cullBits);
+    SeenKsQuad seen = seenKsQuad(ksquad);
 #define KNOTSPAN_TEST(bit, name, culls, conservative, byDefault, colour, sentence)                                 \
-    if ((frame.cullBits & (1u << bit)) != 0u && culls(ksquad, seen))                                               \
+    if ((CULL_LATE & (1u << bit)) == 0u && (frame.cullBits & (1u << bit)) != 0u && culls(ksquad, seen))            \
+        return bit;
+    KNOTSPAN_CULL_LIST(KNOTSPAN_TEST)
+#undef KNOTSPAN_TEST
+    if ((frame.cullBits & CULL_BY_HULL) != 0u)
+        seen.hull = hullOnScreen(ksquad);
+#define KNOTSPAN_TEST(bit, name, culls, conservative, byDefault, colour, sentence)                                 \
+    if ((CULL_LATE & (1u << bit)) != 0u && (frame.cullBits & (1u << bit)) != 0u && culls(ksquad, seen))            \
         return bit;
     KNOTSPAN_CULL_LIST(KNOTSPAN_TEST)
 #undef KNOTSPAN_TEST

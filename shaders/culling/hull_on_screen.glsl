@@ -90,13 +90,11 @@ HullOnScreen hullOnScreen(KNOTSPAN_SOURCE uint ksquad)
 }
 
 KNOTSPAN_SCENE_TEMPLATE
-SeenKsQuad seenKsQuad(KNOTSPAN_SOURCE uint ksquad, uint cullBits)
+SeenKsQuad seenKsQuad(KNOTSPAN_SOURCE uint ksquad)
 {
     SeenKsQuad seen;
     seen.view = KNOTSPAN_SURFACE_VIEW(KNOTSPAN_KSQUAD(ksquad).surface);
     seen.side = KNOTSPAN_SHOWN_SIDE(KNOTSPAN_KSQUAD(ksquad).surface);
-    if ((cullBits & CULL_BY_HULL) != 0u)
-        seen.hull = hullOnScreen KNOTSPAN_OF_SOURCE(KNOTSPAN_PASS_SOURCE ksquad);
     return seen;
 }
 

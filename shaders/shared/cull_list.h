@@ -3,7 +3,7 @@
 //
 // A mode is one pure function in shaders/culling/NAME.glsl and one line here:
 //     MODE(bit, name, function, conservative, byDefault, colour, "a sentence for people")
-// The order is the order of the tests: the cheapest first, because the first that says so culls. Colours, sRGB, are
+// The order is the order of the tests, those in CULL_LATE behind the others: the first that says so culls. Colours, sRGB, are
 // those that colour-blind eyes tell apart (Okabe and Ito); what a mode drops is outlined in its.
 #ifndef KNOTSPAN_CULL_LIST_H
 #define KNOTSPAN_CULL_LIST_H
@@ -31,6 +31,7 @@
 #define CULL_BY_HULL (8u | 16u)  // bits of the modes that look at where the control points are in the picture
 #define CULL_BY_BOX 4u           // and of those that look at which way it faces
 #define CULL_BY_RAYS 32u
+#define CULL_LATE (CULL_BY_HULL | CULL_BY_RAYS)  // tested after the others, since they cost more
 #define CULL_BY_DEPTH 64u
 #define CULL_DICE 128u
 // Of these it can be counted how often they are wrong (wrong_culls.comp): they drop by facing or place alone.
