@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "model/samples/sample_list.h"
+#include "tests/joined_surfaces.h"
 #include "tests/pixels/error_measurement.h"
 
 namespace knotspan::testing {
@@ -27,6 +28,12 @@ std::uint64_t culled(const FrameStats& stats)
     for (const std::uint64_t count : stats.ksquadsCulled)
         sum += count;
     return sum;
+}
+
+// The others cull by occlusion not at all: they draw all at once.
+bool drawsInHalves(PathId path)
+{
+    return path != PathId::mesh9x9 && path != PathId::cpu && path != PathId::surface;
 }
 
 class ConservativeCulling : public ::testing::TestWithParam<PathId> {
@@ -85,17 +92,52 @@ TEST_P(ConservativeCulling, ChangesNoPixelOfClosedModels)
     RecordProperty("culled", std::to_string(culled_));
 }
 
-// Two thirds of a body outside of the picture, an eye within a body, a mirrored body, one whose normals point
-// inwards.
+// What the last frame saw decides what is drawn first: a camera that jumps, and one that stays.
+TEST_P(ConservativeCulling, ByOcclusionChangesNoPixelWhenTheCameraJumpsOrStays)
+{
+    KNOTSPAN_NEED_RENDERER(renderer);
+    KNOTSPAN_NEED_PATH(*renderer, GetParam());
+    if (!drawsInHalves(GetParam()))
+        GTEST_SKIP() << "it draws all at once, without culling by occlusion";
+    std::uint64_t occluded = 0;
+    for (const char* name : {"torus", "knot"}) {
+        const Scene scene = findSample(name)->make();
+        ASSERT_TRUE(renderer->sync(scene));
+        std::mt19937 random(6);
+        std::vector<Frame> frames;
+        for (int view = 0; view < sweepViews(3); ++view) {
+            Frame frame = frameOf(scene, GetParam(), 120, 90);
+            frame.camera = randomCamera(random, scene.bounds(), 0.05);
+            frames.insert(frames.end(), 3, frame);
+        }
+        std::vector<Picture> without;
+        for (const Frame& frame : frames)
+            without.push_back(pictureWith(*renderer, frame, {}));
+        for (size_t k = 0; k < frames.size(); ++k) {
+            SCOPED_TRACE(std::string(name) + ", frame " + std::to_string(k));
+            const std::uint64_t before = culled_;
+            const Picture with = pictureWith(*renderer, frames[k], parseCullSet("occlusion").value());
+            occluded += culled_ - before;
+            EXPECT_TRUE(with.rgba == without[k].rgba);
+        }
+    }
+    EXPECT_GT(occluded, 0U);
+    RecordProperty("occluded", std::to_string(occluded));
+}
+
+// An eye within a body, a mirrored body, one whose normals point inwards.
 TEST_P(ConservativeCulling, ChangesNoPixelFromInsideNorOfMirroredOrTurnedBodies)
 {
     KNOTSPAN_NEED_RENDERER(renderer);
     KNOTSPAN_NEED_PATH(*renderer, GetParam());
     const Scene torus = findSample("torus")->make();
-    for (const bool mirrored : {false, true}) {
+    for (const bool turned : {false, true}) {
+        const bool mirrored = !turned;
         SceneObject object = *torus.objects().begin()->second;
         if (mirrored)
             object.transform[0] *= -1.0;
+        else
+            object.surface = reversedU(object.surface);
         Scene scene;
         scene.add(std::move(object));
         ASSERT_TRUE(renderer->sync(scene));
