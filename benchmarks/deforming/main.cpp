@@ -15,14 +15,6 @@ std::vector<Resident> knotAt(int frame)
     return makeResidents(visibleObjects(deformed(findSample("knot")->make(), Deformation::all, frame)));
 }
 
-std::vector<PlacedSurface> placedSurfaces(const std::vector<Resident>& residents)
-{
-    std::vector<PlacedSurface> placed;
-    for (const Resident& resident : residents)
-        placed.push_back({&resident.object->surface, resident.object->transform});
-    return placed;
-}
-
 void decompose(benchmark::State& state)
 {
     const std::vector<Resident> residents = knotAt(5);

@@ -60,11 +60,6 @@ std::vector<std::uint32_t> touched(const NurbsSurface& before, const NurbsSurfac
     return numbers;
 }
 
-bool isSameShape(const NurbsSurface& a, const NurbsSurface& b)
-{
-    return a.knotsU() == b.knotsU() && a.knotsV() == b.knotsV();
-}
-
 }  // namespace
 
 std::vector<FacingArrays::Run> FacingArrays::update(const std::vector<Resident>& residents, Origins origins,

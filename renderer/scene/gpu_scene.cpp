@@ -19,12 +19,6 @@ std::span<const T> all(const std::vector<T>& elements)
     return elements;
 }
 
-// Same records, knots and number of points: only coordinates, weights, colour and transform may differ.
-bool sameShape(const NurbsSurface& a, const NurbsSurface& b)
-{
-    return a.knotsU() == b.knotsU() && a.knotsV() == b.knotsV();
-}
-
 // The floats stay good while the object is, for its size, near the origin that it was packed with and its
 // weights are in range.
 bool fits(const PointFrame& packed, const NurbsSurface& surface)
@@ -35,20 +29,6 @@ bool fits(const PointFrame& packed, const NurbsSurface& surface)
     return distance <= 3.0 * now.extent && ratio < 1e6 && ratio > 1e-6;
 }
 
-PlacedSurface placedSurface(const SceneObject& object)
-{
-    return {&object.surface, object.transform};
-}
-
-std::vector<PlacedSurface> placedSurfaces(const std::vector<Resident>& residents)
-{
-    std::vector<PlacedSurface> placed;
-    placed.reserve(residents.size());
-    for (const Resident& resident : residents)
-        placed.push_back(placedSurface(*resident.object));
-    return placed;
-}
-
 }  // namespace
 
 GpuScene::GpuScene(Bindings& bindings, Uploader& uploader) : bindings_(bindings), uploader_(uploader) {}
@@ -56,12 +36,12 @@ GpuScene::GpuScene(Bindings& bindings, Uploader& uploader) : bindings_(bindings)
 void GpuScene::sync(const Scene& scene, Joins joins)
 {
     const VisibleObjects visible = visibleObjects(scene);
-    const bool sameObjects = std::equal(visible.begin(), visible.end(), residents_.begin(), residents_.end(),
-                                        [](const auto& wanted, const auto& held) {
-                                            return wanted.first == held.id &&
-                                                   (wanted.second == held.object ||
-                                                    sameShape(wanted.second->surface, held.object->surface));
-                                        });
+    const bool sameObjects = std::equal(
+        visible.begin(), visible.end(), residents_.begin(), residents_.end(),
+        [](const auto& wanted, const auto& held) {
+            return wanted.first == held.id && (wanted.second == held.object ||
+                                               isSameShape(wanted.second->surface, held.object->surface));
+        });
     if (!sameObjects)
         rebuild(visible);
     else

@@ -45,6 +45,25 @@ std::optional<std::uint32_t> ksquadNumber(const std::vector<Resident>& residents
                                       static_cast<size_t>(v - spansV.begin()));
 }
 
+bool isSameShape(const NurbsSurface& a, const NurbsSurface& b)
+{
+    return a.knotsU() == b.knotsU() && a.knotsV() == b.knotsV();
+}
+
+PlacedSurface placedSurface(const SceneObject& object)
+{
+    return {&object.surface, object.transform};
+}
+
+std::vector<PlacedSurface> placedSurfaces(const std::vector<Resident>& residents)
+{
+    std::vector<PlacedSurface> placed;
+    placed.reserve(residents.size());
+    for (const Resident& resident : residents)
+        placed.push_back(placedSurface(*resident.object));
+    return placed;
+}
+
 VisibleObjects visibleObjects(const Scene& scene)
 {
     VisibleObjects visible;

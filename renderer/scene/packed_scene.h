@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "model/analysis/border_curves.h"
 #include "model/scene/scene.h"
 #include "renderer/scene/patch_table.h"
 
@@ -32,6 +33,11 @@ struct KsQuadName {
 [[nodiscard]] KsQuadName ksquadName(const std::vector<Resident>& residents, std::uint32_t number);
 [[nodiscard]] std::optional<std::uint32_t> ksquadNumber(const std::vector<Resident>& residents,
                                                         const KsQuadName& name);  // nothing: no such one
+
+// Same records, knots and number of points: only coordinates, weights, colour and transform may differ.
+[[nodiscard]] bool isSameShape(const NurbsSurface& a, const NurbsSurface& b);
+[[nodiscard]] PlacedSurface placedSurface(const SceneObject& object);
+[[nodiscard]] std::vector<PlacedSurface> placedSurfaces(const std::vector<Resident>& residents);
 
 using VisibleObjects = std::vector<std::pair<ObjectId, SharedObject>>;
 [[nodiscard]] VisibleObjects visibleObjects(const Scene& scene);

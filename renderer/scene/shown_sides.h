@@ -26,17 +26,20 @@ class ShownSides {
 public:
     // By resident. `edges` are those of the residents; `bounds` sets the depth range, as in
     // Camera::projection().
-    [[nodiscard]] SideTables of(const std::vector<Resident>& residents, const CoincidentEdges& edges,
-                                const Camera& camera, double aspect, const Box& bounds);
+    [[nodiscard]] const SideTables& of(const std::vector<Resident>& residents, const CoincidentEdges& edges,
+                                       const Camera& camera, double aspect, const Box& bounds);
     // Both sides of all.
     [[nodiscard]] static SideTables all(size_t surfaces);
 
 private:
-    void follow(const std::vector<Resident>& residents, const CoincidentEdges& edges);
+    // Whether something is another object than before.
+    bool follow(const std::vector<Resident>& residents, const CoincidentEdges& edges);
 
     Shells shells_;
     std::vector<SharedObject> held_;
-    std::vector<float> sides_;
+    std::optional<Camera> camera_;  // that the tables are of
+    double cutOff_ = 0;
+    SideTables tables_;
 };
 
 }  // namespace knotspan
