@@ -29,7 +29,7 @@ std::vector<gpu::RequestRecord<Real>> requestsFor(const std::vector<Resident>& r
 
 }  // namespace
 
-PointEvaluation::PointEvaluation(const Device& device, const GpuClock& clock)
+PointEvaluation::PointEvaluation(const Device& device, GpuClock& clock)
     : device_(device),
       clock_(clock),
       bindings_(device),

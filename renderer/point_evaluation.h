@@ -14,7 +14,7 @@ namespace knotspan {
 
 class PointEvaluation {
 public:
-    PointEvaluation(const Device& device, const GpuClock& clock);
+    PointEvaluation(const Device& device, GpuClock& clock);
 
     // In float or double, where the device has it.
     template <class Real>
@@ -35,7 +35,7 @@ private:
     void giveBack();
 
     const Device& device_;
-    const GpuClock& clock_;
+    GpuClock& clock_;
     Bindings bindings_;
     Uploader uploader_;
     std::map<std::pair<Evaluator, Precision>, Pipeline> pipelines_;  // made when first needed

@@ -67,6 +67,9 @@ FrameStats Renderer::Parts::statsOf(const Frame& frame, const SurfacePath& path,
     stats.cpuMs = {cpuMs_, cpuMs_, cpuMs_};
     const double gpuMs = clock.milliseconds();
     stats.gpuMs = {gpuMs, gpuMs, gpuMs};
+    const auto stages = clock.stageMilliseconds();
+    for (size_t stage = 0; stage < kGpuStageCount; ++stage)
+        stats.stageMs[stage] = {stages[stage], stages[stage], stages[stage]};
     if (std::exchange(rebuiltForVerdicts_, false) || scene.takeRebuilt())
         firstUpload_ = uploaded;
     else

@@ -236,7 +236,7 @@ void Renderer::Parts::prepareCulling(Frame& frame, const SurfacePath& path)
     if (frame.cullingCamera) {
         // What that one saw of a body has holes from anywhere else, so that both sides show.
         frame.culling.bits &= CULL_DICE;
-        sides_ = ShownSides::all(scene.residents().size());
+        sides_ = ShownSides::asTold(scene.residents());
         scene.updateViews(frame.camera, frame.overlays.highlighted, sides_);
         return;
     }
@@ -244,7 +244,7 @@ void Renderer::Parts::prepareCulling(Frame& frame, const SurfacePath& path)
         frame.culling.bits &= ~CULL_BY_DEPTH;  // it draws all at once
     if (frame.wave)
         frame.culling.bits &= ~(CULL_BY_BOX | CULL_BY_RAYS);
-    sides_ = frame.wave ? ShownSides::all(scene.residents().size())
+    sides_ = frame.wave ? ShownSides::asTold(scene.residents())
                         : shownSides.of(scene.residents(), scene.edges(), frame.camera,
                                         static_cast<double>(frame.width) / frame.height, scene.bounds());
     FacingStrength strength = FacingStrength::none;

@@ -10,9 +10,11 @@ void Renderer::Parts::record(VkCommandBuffer commands, const Frame& frame, const
     if (frame.cullingCamera)
         waitForVerdicts(commands);
     clock.start(commands);
-    const auto make = [&] {
-        if (path.tiles())
-            sampling.record(commands);
+    const auto make = [&](bool rest) {
+        if (path.tiles()) {
+            sampling.record(commands, culling.askingGroups(), culling.visibleGroups(), rest);
+            clock.lap(commands, GpuStage::sampling);
+        }
         path.compute(commands);
     };
     const auto drawMade = [&] {
@@ -23,17 +25,20 @@ void Renderer::Parts::record(VkCommandBuffer commands, const Frame& frame, const
         culling.record(commands);
     if (!path.tiles() && usesCullPass(frame, path))
         waitForVerdicts(commands);
+    clock.lap(commands, GpuStage::culling);
     if (anything)
-        make();
+        make(false);
     targets->begin(commands);
     if (anything)
         drawMade();
     if (anything && path.tiles() && isByOcclusion(frame)) {
         targets->pause(commands, pyramid.pixels());
+        clock.lap(commands, GpuStage::drawing);
         bindings.bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE);
         pyramid.record(commands, counters.buffer(), offsetof(gpu::Counters, pyramidLevel));
         culling.recordRest(commands);
-        make();
+        clock.lap(commands, GpuStage::culling);
+        make(true);
         targets->resume(commands);
         drawMade();
     }

@@ -32,6 +32,9 @@ void fill(OrbitRow& row, const std::vector<FrameStats>& views, const std::vector
     row.inForce = views.back().culling;
     row.ksquads = views.back().ksquads;
     row.gpuMs = spreadOver(views, [](const FrameStats& stats, size_t) { return stats.gpuMs.median; });
+    for (size_t stage = 0; stage < kGpuStageCount; ++stage)
+        row.stageMs[stage] = spreadOver(
+            views, [stage](const FrameStats& stats, size_t) { return stats.stageMs[stage].median; });
     row.cpuMs = spreadOver(views, [](const FrameStats& stats, size_t) { return stats.cpuMs.median; });
     row.gpuShare = spreadOver(views, [&](const FrameStats& stats, size_t view) {
         return shareOf(stats.gpuMs.median, first[view].gpuMs.median);

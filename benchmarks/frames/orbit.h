@@ -38,13 +38,14 @@ struct OrbitRow {
     PathId path{};
     Deformation motion{};
     std::string culling;
-    std::string unavailable;           // why there are no figures, as a sentence
-    bool failed = false;               // though the device can run the path
-    std::vector<std::string> inForce;  // the modes that could run
-    Spread gpuMs;                      // drawing, by the device's clock
-    Spread cpuMs;                      // the model's changes taken over, preparing and recording
-    Spread gpuShare;                   // of the first set's, view by view
-    Spread frameShare;                 // the same of both together
+    std::string unavailable;                     // why there are no figures, as a sentence
+    bool failed = false;                         // though the device can run the path
+    std::vector<std::string> inForce;            // the modes that could run
+    Spread gpuMs;                                // drawing, by the device's clock
+    std::array<Spread, kGpuStageCount> stageMs;  // parts of it
+    Spread cpuMs;                                // the model's changes taken over, preparing and recording
+    Spread gpuShare;                             // of the first set's, view by view
+    Spread frameShare;                           // the same of both together
     std::uint64_t ksquads = 0;
     Spread ksquadsDrawn;
     Spread culled[kCullModeCount];

@@ -30,10 +30,12 @@ std::string rowText(const OrbitRow& row)
                 nameOf(row.motion), row.culling.c_str());
     if (!row.unavailable.empty())
         return start + " not measured: " + row.unavailable + " |\n";
-    return start + printed(" %.2f | %.2f | %.3f | %.3f | %.0f of %llu | %.0f | %.0f |\n", row.gpuMs.median,
-                           row.cpuMs.median, row.gpuShare.median, row.frameShare.median,
-                           row.ksquadsDrawn.median, static_cast<unsigned long long>(row.ksquads),
-                           row.evaluations.median, row.triangles.median);
+    return start + printed(" %.2f | %.2f + %.2f + %.2f | %.2f | %.3f | %.3f | %.0f of %llu | %.0f | %.0f |\n",
+                           row.gpuMs.median, row.stageMs[0].median, row.stageMs[1].median,
+                           row.stageMs[2].median, row.cpuMs.median, row.gpuShare.median,
+                           row.frameShare.median, row.ksquadsDrawn.median,
+                           static_cast<unsigned long long>(row.ksquads), row.evaluations.median,
+                           row.triangles.median);
 }
 
 Json jsonOf(const Spread& spread)
@@ -56,6 +58,9 @@ Json jsonOf(const OrbitRow& row)
         culled[cullModes()[mode].name] = jsonOf(row.culled[mode]);
     json.update({{"culling", row.inForce},
                  {"gpu_ms", jsonOf(row.gpuMs)},
+                 {"gpu_culling_ms", jsonOf(row.stageMs[static_cast<size_t>(GpuStage::culling)])},
+                 {"gpu_sampling_ms", jsonOf(row.stageMs[static_cast<size_t>(GpuStage::sampling)])},
+                 {"gpu_drawing_ms", jsonOf(row.stageMs[static_cast<size_t>(GpuStage::drawing)])},
                  {"cpu_ms", jsonOf(row.cpuMs)},
                  {"gpu_share", jsonOf(row.gpuShare)},
                  {"frame_share", jsonOf(row.frameShare)},
@@ -71,12 +76,12 @@ Json jsonOf(const OrbitRow& row)
 
 std::string tableOf(const std::string& device, const OrbitRequest& request, const std::vector<OrbitRow>& rows)
 {
-    std::string text =
-        device +
-        printed(", %d by %d pixels, %g px, medians of an orbit of %d views\n\n", request.width,
-                request.height, request.tolerancePx, request.views) +
-        "| sample | path | deform | culling | gpu ms | cpu ms | gpu, share | frame, share | KSQuads drawn | "
-        "evaluations | triangles |\n|---|---|---|---|---|---|---|---|---|---|---|\n";
+    std::string text = device +
+                       printed(", %d by %d pixels, %g px, medians of an orbit of %d views\n\n", request.width,
+                               request.height, request.tolerancePx, request.views) +
+                       "| sample | path | deform | culling | gpu ms | culling + sampling + drawing | cpu ms "
+                       "| gpu, share | frame, share | KSQuads drawn | "
+                       "evaluations | triangles |\n|---|---|---|---|---|---|---|---|---|---|---|---|\n";
     for (const OrbitRow& row : rows)
         text += rowText(row);
     return text + "\nShares are of the first set's time, view by view; a frame is gpu and cpu together.\n";

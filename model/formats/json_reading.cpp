@@ -163,6 +163,18 @@ Mat4 transformOf(const Place& place)
     return result;
 }
 
+// Files from before there was a choice have none.
+Sides sidesOf(const Place& object)
+{
+    if (!object.has("sides"))
+        return Sides::automatic;
+    const Place place = object.member("sides");
+    const auto sides = findSides(place.text());
+    if (!sides)
+        place.refuse("is not automatic, both, front or back");
+    return *sides;
+}
+
 SceneObject objectOf(const Place& place)
 {
     return {place.member("name").text(),
@@ -170,7 +182,8 @@ SceneObject objectOf(const Place& place)
             transformOf(place.member("transform")),
             place.member("visible").yesOrNo(),
             surfaceOf(place.member("surface")),
-            trimLoopsOf(place.member("trim_loops"))};
+            trimLoopsOf(place.member("trim_loops")),
+            sidesOf(place)};
 }
 
 Scene sceneOf(const Place& file)

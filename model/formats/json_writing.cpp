@@ -58,12 +58,15 @@ std::string dumped(const Json& json)
 
 std::string textOf(const SceneObject& object)
 {
-    return dumped({{"name", object.name},
-                   {"colour", {object.colour.red, object.colour.green, object.colour.blue}},
-                   {"transform", jsonOf(object.transform)},
-                   {"visible", object.visible},
-                   {"surface", jsonOf(object.surface)},
-                   {"trim_loops", jsonOf(object.trimLoops)}});
+    Json json{{"name", object.name},
+              {"colour", {object.colour.red, object.colour.green, object.colour.blue}},
+              {"transform", jsonOf(object.transform)},
+              {"visible", object.visible},
+              {"surface", jsonOf(object.surface)},
+              {"trim_loops", jsonOf(object.trimLoops)}};
+    if (object.sides != Sides::automatic)
+        json["sides"] = sidesName(object.sides);
+    return dumped(json);
 }
 
 std::string textOf(const std::string& value)

@@ -41,8 +41,9 @@ Result<SharedObject> withControlPointAt(const SceneObject& object, ControlPointI
     auto surface = NurbsSurface::create(object.surface.knotsU(), object.surface.knotsV(), std::move(points));
     if (!surface)
         return tl::unexpected(surface.error());
-    return std::make_shared<const SceneObject>(SceneObject{
-        object.name, object.colour, object.transform, object.visible, *std::move(surface), object.trimLoops});
+    auto changed = std::make_shared<SceneObject>(object);
+    changed->surface = *std::move(surface);
+    return changed;
 }
 
 }  // namespace knotspan

@@ -7,6 +7,7 @@
 
 #include "model/geometry/nurbs_surface.h"
 #include "model/geometry/trim_loop.h"
+#include "model/scene/sides.h"
 
 namespace knotspan {
 
@@ -26,6 +27,7 @@ struct SceneObject {
     bool visible = true;
     NurbsSurface surface;
     std::vector<TrimLoop> trimLoops;
+    Sides sides = Sides::automatic;
 
     [[nodiscard]] bool operator==(const SceneObject&) const = default;
 

@@ -14,6 +14,7 @@ constexpr VkPipelineStageFlags2 kTransfer = VK_PIPELINE_STAGE_2_TRANSFER_BIT;
 CullPass::CullPass(const Device& device, Bindings& bindings)
     : device_(device),
       bindings_(bindings),
+      rest_(makeComputePipeline(device, bindings, "cull_rest.comp")),
       asking_(makeComputePipeline(device, bindings, "cull_asking.comp")),
       scan_(makeComputePipeline(device, bindings, "cull_scan.comp")),
       compact_(makeComputePipeline(device, bindings, "cull_compact.comp"))
@@ -33,6 +34,7 @@ void CullPass::prepare(std::uint32_t ksquads, const Specialization& specializati
     bindings_.provide(BINDING_VISIBLE, visible_, VkDeviceSize{ksquads} * sizeof(std::uint32_t));
     bindings_.provide(BINDING_ASKING, askingList_, VkDeviceSize{ksquads} * sizeof(std::uint32_t));
     bindings_.provide(BINDING_CULL_GROUPS, groups_, groups * sizeof(gpu::CullGroup));
+    bindings_.provide(BINDING_LISTS, lists_, sizeof(gpu::ListGroups));
     const VkDeviceSize bits = byOcclusion ? groups * 2 * sizeof(std::uint32_t) : 0;
     bindings_.provide(BINDING_CANDIDATES, candidates_, bits);
     bindings_.provide(BINDING_SEEN, seen_, bits);
@@ -54,7 +56,12 @@ void CullPass::record(VkCommandBuffer commands)
             vkCmdFillBuffer(commands, seen_.get(), 0, VK_WHOLE_SIZE, 0);
         sawNothing_ = false;
     }
-    clearGroups(commands);
+    // Waits for the frame before, whose compaction read the groups.
+    memoryBarrier(commands, kCompute, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT, kTransfer,
+                  VK_ACCESS_2_TRANSFER_WRITE_BIT);
+    vkCmdFillBuffer(commands, groups_.get(), 0, VK_WHOLE_SIZE, 0);
+    memoryBarrier(commands, kTransfer, VK_ACCESS_2_TRANSFER_WRITE_BIT, kCompute,
+                  VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT);
     bindings_.bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE);
     computeStep(commands, cull_.at(specialization_), groupsFor(ksquads_, CULL_KSQUADS));
     recordLists(commands);
@@ -62,8 +69,9 @@ void CullPass::record(VkCommandBuffer commands)
 
 void CullPass::recordRest(VkCommandBuffer commands) const
 {
-    clearGroups(commands);
     bindings_.bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE);
+    const std::uint32_t groups = (ksquads_ + CULL_KSQUADS - 1) / CULL_KSQUADS;
+    computeStep(commands, rest_, groupsFor(groups, CULL_KSQUADS));
     computeStep(commands, occlusion_.at(specialization_), groupsFor(ksquads_, CULL_KSQUADS));
     recordLists(commands);
     memoryBarrier(commands, kCompute,
@@ -75,16 +83,6 @@ void CullPass::recordRest(VkCommandBuffer commands) const
                   VK_ACCESS_2_SHADER_STORAGE_READ_BIT);
 }
 
-// Waits for the steps before, whose compaction read the groups.
-void CullPass::clearGroups(VkCommandBuffer commands) const
-{
-    memoryBarrier(commands, kCompute, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT, kTransfer,
-                  VK_ACCESS_2_TRANSFER_WRITE_BIT);
-    vkCmdFillBuffer(commands, groups_.get(), 0, VK_WHOLE_SIZE, 0);
-    memoryBarrier(commands, kTransfer, VK_ACCESS_2_TRANSFER_WRITE_BIT, kCompute,
-                  VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT);
-}
-
 void CullPass::recordLists(VkCommandBuffer commands) const
 {
     const GroupCount groups = groupsFor(ksquads_, CULL_KSQUADS);
@@ -93,10 +91,20 @@ void CullPass::recordLists(VkCommandBuffer commands) const
     computeStep(commands, compact_, groups);
 }
 
+GroupsOnDevice CullPass::visibleGroups() const
+{
+    return {lists_.get(), offsetof(gpu::ListGroups, visible)};
+}
+
+GroupsOnDevice CullPass::askingGroups() const
+{
+    return {lists_.get(), offsetof(gpu::ListGroups, asking)};
+}
+
 void CullPass::listMemory(std::vector<HeldMemory>& to) const
 {
     to.push_back({"visible list", visible_.bytes() + askingList_.bytes()});
-    to.push_back({"culling groups", groups_.bytes()});
+    to.push_back({"culling groups", groups_.bytes() + lists_.bytes()});
     to.push_back({"occlusion", candidates_.bytes() + seen_.bytes() + seenNow_.bytes()});
 }
 

@@ -22,22 +22,26 @@ public:
     void record(VkCommandBuffer commands);
     // By occlusion, after that was drawn and the depth pyramid made: the list of the rest.
     void recordRest(VkCommandBuffer commands) const;
+    // The groups for the list that was made last, on the device.
+    [[nodiscard]] GroupsOnDevice visibleGroups() const;
+    [[nodiscard]] GroupsOnDevice askingGroups() const;
     void listMemory(std::vector<HeldMemory>& to) const;
 
 private:
-    void clearGroups(VkCommandBuffer commands) const;
     void recordLists(VkCommandBuffer commands) const;
 
     const Device& device_;
     Bindings& bindings_;
     std::map<Specialization, Pipeline> cull_;  // made when first needed
     Specialization specialization_;
+    Pipeline rest_;
     Pipeline asking_;
     Pipeline scan_;
     Pipeline compact_;
     Buffer visible_;
     Buffer askingList_;
     Buffer groups_;
+    Buffer lists_;
     std::uint32_t ksquads_ = 0;
     // By occlusion.
     bool byOcclusion_ = false;

@@ -63,7 +63,7 @@ public:
     {
         if (!byBound_)
             return;
-        const GroupCount groups = groupsFor(ksquads_, SAMPLING_KSQUADS / GRID_LANES);
+        const GroupCount groups = groupsFor(ksquads_, LIST_KSQUADS / GRID_LANES);
         memoryBarrier(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_WRITE_BIT,
                       VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
                       VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT);

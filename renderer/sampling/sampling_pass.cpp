@@ -33,7 +33,7 @@ void SamplingPass::prepare(std::uint32_t ksquads, std::uint32_t tilesPerDraw,
         tileCapacity_ = std::max(ksquads, 1U);
     ksquads_ = ksquads;
     const VkDeviceSize count = ksquads;
-    const VkDeviceSize groups = (ksquads + TILE_KSQUADS - 1) / TILE_KSQUADS;
+    const VkDeviceSize groups = (ksquads + LIST_KSQUADS - 1) / LIST_KSQUADS;
     bindings_.provide(BINDING_GRIDS, grids_, count * sizeof(gpu::GridRecord));
     bindings_.provide(BINDING_TILE_COUNTS, tileCounts_, count * sizeof(std::uint32_t));
     bindings_.provide(BINDING_TILE_GROUPS, groups_, groups * 2 * sizeof(std::uint32_t));
@@ -48,22 +48,24 @@ void SamplingPass::makeRoomFor(std::uint32_t tiles)
     tileCapacity_ = tiles + tiles / 4;
 }
 
-void SamplingPass::record(VkCommandBuffer commands) const
+void SamplingPass::record(VkCommandBuffer commands, const GroupsOnDevice& asking,
+                          const GroupsOnDevice& visible, bool keepsGrids) const
 {
     // Waits for the frame before, whose stages read both.
     memoryBarrier(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
                   VK_PIPELINE_STAGE_2_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT);
-    vkCmdFillBuffer(commands, grids_.get(), 0, VK_WHOLE_SIZE, 0);
+    if (!keepsGrids)
+        vkCmdFillBuffer(commands, grids_.get(), 0, VK_WHOLE_SIZE, 0);
     vkCmdFillBuffer(commands, groups_.get(), 0, VK_WHOLE_SIZE, 0);
     memoryBarrier(commands, VK_PIPELINE_STAGE_2_TRANSFER_BIT | kCompute,
-                  VK_ACCESS_2_TRANSFER_WRITE_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT, kCompute,
-                  kReadWrite);
+                  VK_ACCESS_2_TRANSFER_WRITE_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
+                  kCompute | VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT,
+                  kReadWrite | VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT);
     bindings_.bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE);
-    // As many groups as would be needed if all were visible: nobody waits to hear how many are.
-    computeStep(commands, sampling_.at(specialization_), groupsFor(ksquads_, SAMPLING_KSQUADS));
-    computeStep(commands, count_, groupsFor(ksquads_, TILE_KSQUADS));
+    computeStep(commands, sampling_.at(specialization_), asking);
+    computeStep(commands, count_, visible);
     computeStep(commands, scan_, {1, 1});
-    computeStep(commands, write_, groupsFor(ksquads_, TILE_KSQUADS));
+    computeStep(commands, write_, visible);
     memoryBarrier(commands, kCompute, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
                   VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT | VK_PIPELINE_STAGE_2_ALL_GRAPHICS_BIT,
                   VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT | kReadWrite);

@@ -21,7 +21,10 @@ public:
     void makeRoomFor(std::uint32_t tiles);
 
     // Records the steps and the barriers around them. The VisibleList is made, the frame uploaded.
-    void record(VkCommandBuffer commands) const;
+    // Groups for the lists of KSQuads that choose a grid and of those that are drawn. `keepsGrids`: the
+    // frame's second half, in which only those choose that had not been asked.
+    void record(VkCommandBuffer commands, const GroupsOnDevice& asking, const GroupsOnDevice& visible,
+                bool keepsGrids) const;
     void listMemory(std::vector<HeldMemory>& to) const;
 
     [[nodiscard]] std::uint32_t tileCapacity() const { return tileCapacity_; }

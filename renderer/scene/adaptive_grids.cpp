@@ -122,8 +122,8 @@ Choice chooseGrid(const CpuScene& scene, std::uint32_t ksquad, const gpu::PixelM
     if (!figures.visible)
         return {};
     gpu::FirstGrid first = gpu::firstGrid<double>(figures, tolerance);
-    if (first.u == 1 && first.v == 1)
-        return {evenGrid(1, 1), gpu::windowBound<double>(figures, 1, 1)};
+    if (first.level == GRID_LEVELS)
+        return {evenGrid(first.u, first.v), gpu::windowBound<double>(figures, 1.0 / first.u, 1.0 / first.v)};
     gpu::uint best = gpu::gridKey(first.u, first.v);
     while (first.level < GRID_LEVELS) {
         bool shows = false;

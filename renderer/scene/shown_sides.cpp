@@ -39,9 +39,11 @@ const SideTables& ShownSides::of(const std::vector<Resident>& residents, const C
     camera_ = camera;
     cutOff_ = cutOff;
     const std::vector<float> known = std::move(tables_.sides);
-    tables_ = all(residents.size());
+    tables_ = asTold(residents);
     std::vector<std::uint32_t> firsts(shells_.count(), ~0U);
     for (std::uint32_t k = 0; k < residents.size(); ++k) {
+        if (residents[k].object->sides != Sides::automatic)
+            continue;
         const std::uint32_t shell = shells_.shellOf(k);
         const int side = shells_.side(k);
         if (firsts[shell] == ~0U) {
@@ -61,14 +63,21 @@ const SideTables& ShownSides::of(const std::vector<Resident>& residents, const C
     return tables_;
 }
 
-SideTables ShownSides::all(size_t surfaces)
+SideTables ShownSides::asTold(const std::vector<Resident>& residents)
 {
+    const size_t surfaces = residents.size();
     SideTables tables;
     tables.sides.resize(surfaces, 0.0F);
     tables.shown.resize(surfaces, 0);
     tables.shells.resize(surfaces);
-    for (size_t k = 0; k < surfaces; ++k)
+    for (size_t k = 0; k < surfaces; ++k) {
         tables.shells[k] = static_cast<std::uint32_t>(k);
+        const Sides told = residents[k].object->sides;
+        if (told == Sides::front || told == Sides::back) {
+            tables.sides[k] = told == Sides::front ? 1.0F : -1.0F;
+            tables.shown[k] = 1;
+        }
+    }
     return tables;
 }
 

@@ -1,5 +1,5 @@
-// Which side of each surface a camera can see: of a closed body that it looks at from outside only the
-// outside; of all others both.
+// Which side of each surface is shown: what its object was told (model/scene/sides.h); else, of a closed body
+// that the camera looks at from outside only the outside, and of all others both.
 #pragma once
 
 #include "model/analysis/shells.h"
@@ -28,8 +28,8 @@ public:
     // Camera::projection().
     [[nodiscard]] const SideTables& of(const std::vector<Resident>& residents, const CoincidentEdges& edges,
                                        const Camera& camera, double aspect, const Box& bounds);
-    // Both sides of all.
-    [[nodiscard]] static SideTables all(size_t surfaces);
+    // Both sides of all that were not told otherwise.
+    [[nodiscard]] static SideTables asTold(const std::vector<Resident>& residents);
 
 private:
     // Whether something is another object than before.

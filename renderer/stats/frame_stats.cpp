@@ -149,6 +149,9 @@ const std::vector<StatField>& statFields()
         KNOTSPAN_FIELD("frames", "Frames", "", frames),
         KNOTSPAN_FIELD("cpu_ms", "CPU", "ms", cpuMs),
         KNOTSPAN_FIELD("gpu_ms", "GPU", "ms", gpuMs),
+        KNOTSPAN_FIELD("gpu_culling_ms", "of that culling", "ms", stageMs[size_t(GpuStage::culling)]),
+        KNOTSPAN_FIELD("gpu_sampling_ms", "sampling", "ms", stageMs[size_t(GpuStage::sampling)]),
+        KNOTSPAN_FIELD("gpu_drawing_ms", "drawing", "ms", stageMs[size_t(GpuStage::drawing)]),
         KNOTSPAN_FIELD("upload_bytes_first", "First upload", "bytes", uploadBytesFirst),
         KNOTSPAN_FIELD("upload_bytes_per_frame", "Upload a frame", "bytes", uploadBytesPerFrame),
         KNOTSPAN_FIELD("device_bytes", "Device memory", "bytes", deviceBytes),
@@ -178,6 +181,12 @@ FrameStats combined(const std::vector<FrameStats>& frames)
     }
     stats.cpuMs = spreadOf(std::move(cpu));
     stats.gpuMs = spreadOf(std::move(gpu));
+    for (size_t stage = 0; stage < kGpuStageCount; ++stage) {
+        std::vector<double> part;
+        for (const FrameStats& frame : frames)
+            part.push_back(frame.stageMs[stage].median);
+        stats.stageMs[stage] = spreadOf(std::move(part));
+    }
     return stats;
 }
 

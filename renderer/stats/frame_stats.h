@@ -12,6 +12,7 @@
 
 #include "model/core/spread.h"
 #include "renderer/culling/cull_modes.h"
+#include "renderer/stats/gpu_clock.h"
 
 namespace knotspan {
 
@@ -47,6 +48,7 @@ struct FrameStats {
     // Over the frames of a run.
     Spread cpuMs;  // preparing (taking over the model's changes too) and recording, without waiting
     Spread gpuMs;  // from the device's timestamps
+    std::array<Spread, kGpuStageCount> stageMs;  // parts of it
     std::uint64_t uploadBytesFirst = 0;
     std::uint64_t uploadBytesPerFrame = 0;
     std::uint64_t deviceBytes = 0;

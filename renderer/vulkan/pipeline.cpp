@@ -285,13 +285,29 @@ GroupCount groupsFor(std::uint32_t items, std::uint32_t itemsPerGroup)
     return {x, (groups + x - 1) / x};
 }
 
-void computeStep(VkCommandBuffer commands, const Pipeline& pipeline, const GroupCount& groups)
+namespace {
+
+void showToCompute(VkCommandBuffer commands)
 {
     constexpr VkPipelineStageFlags2 kCompute = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
-    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.get());
-    vkCmdDispatch(commands, groups.x, groups.y, 1);
     memoryBarrier(commands, kCompute, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT, kCompute,
                   VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT);
+}
+
+}  // namespace
+
+void computeStep(VkCommandBuffer commands, const Pipeline& pipeline, const GroupCount& groups)
+{
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.get());
+    vkCmdDispatch(commands, groups.x, groups.y, 1);
+    showToCompute(commands);
+}
+
+void computeStep(VkCommandBuffer commands, const Pipeline& pipeline, const GroupsOnDevice& groups)
+{
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.get());
+    vkCmdDispatchIndirect(commands, groups.buffer, groups.offset);
+    showToCompute(commands);
 }
 
 }  // namespace knotspan

@@ -74,5 +74,11 @@ struct GroupCount {
 [[nodiscard]] GroupCount groupsFor(std::uint32_t items, std::uint32_t itemsPerGroup);
 // A dispatch, and what it wrote made visible to the compute stages after it. Bindings are set for compute.
 void computeStep(VkCommandBuffer commands, const Pipeline& pipeline, const GroupCount& groups);
+// The same for as many groups as a stage before wrote there, which is visible to indirect commands.
+struct GroupsOnDevice {
+    VkBuffer buffer;
+    VkDeviceSize offset;
+};
+void computeStep(VkCommandBuffer commands, const Pipeline& pipeline, const GroupsOnDevice& groups);
 
 }  // namespace knotspan

@@ -22,6 +22,7 @@ void main()
     uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
     uint lane = gl_LocalInvocationID.x;
     uint index = group * CULL_KSQUADS + lane;
-    if (index < frame.ksquadCount && asks(index))
-        atomicOr(groups[group].asking[lane / 32u], 1u << (lane % 32u));
+    uint bit = 1u << (lane % 32u);
+    if (index < frame.ksquadCount && (groups[group].asked[lane / 32u] & bit) == 0u && asks(index))
+        atomicOr(groups[group].asking[lane / 32u], bit);
 }

@@ -20,27 +20,48 @@ layout(set = 0, binding = BINDING_FACING, scalar) readonly buffer FacingBuffer {
 
 #define NOT_CULLED (-1)
 
-// The bit of the first mode that is on and says so, or NOT_CULLED.
-int culledBy(uint ksquad)
+// The bit of the first mode among these that says so, or NOT_CULLED.
+int culledByHull(uint ksquad, SeenKsQuad seen, uint bits)
 {
-    SeenKsQuad seen = seenKsQuad(ksquad);
 #define KNOTSPAN_TEST(bit, name, culls, conservative, byDefault, colour, sentence)                                 \
-    if ((CULL_LATE & (1u << bit)) == 0u && (frame.cullBits & (1u << bit)) != 0u && culls(ksquad, seen))            \
-        return bit;
-    KNOTSPAN_CULL_LIST(KNOTSPAN_TEST)
-#undef KNOTSPAN_TEST
-    if ((frame.cullBits & CULL_BY_HULL) != 0u)
-        seen.hull = hullOnScreen(ksquad);
-#define KNOTSPAN_TEST(bit, name, culls, conservative, byDefault, colour, sentence)                                 \
-    if ((CULL_LATE & (1u << bit)) != 0u && (frame.cullBits & (1u << bit)) != 0u && culls(ksquad, seen))            \
+    if ((CULL_BY_HULL & (1u << bit)) != 0u && (bits & (1u << bit)) != 0u && culls(ksquad, seen))                   \
         return bit;
     KNOTSPAN_CULL_LIST(KNOTSPAN_TEST)
 #undef KNOTSPAN_TEST
     return NOT_CULLED;
 }
 
-// The same, where a culling camera stands still as it was said from there.
-int verdictOn(uint ksquad) { return keepsVerdicts() ? int(verdicts[ksquad]) - 1 : culledBy(ksquad); }
+int culledBy(uint ksquad, uint bits)
+{
+    SeenKsQuad seen = seenKsQuad(ksquad);
+#define KNOTSPAN_TEST(bit, name, culls, conservative, byDefault, colour, sentence)                                 \
+    if ((CULL_LATE & (1u << bit)) == 0u && (bits & (1u << bit)) != 0u && culls(ksquad, seen))                      \
+        return bit;
+    KNOTSPAN_CULL_LIST(KNOTSPAN_TEST)
+#undef KNOTSPAN_TEST
+    if ((bits & CULL_BY_HULL) != 0u) {
+        seen.hull = hullOnScreen(ksquad);
+        int mode = culledByHull(ksquad, seen, bits);
+        if (mode != NOT_CULLED)
+            return mode;
+    }
+#define KNOTSPAN_TEST(bit, name, culls, conservative, byDefault, colour, sentence)                                 \
+    if ((CULL_BY_RAYS & (1u << bit)) != 0u && (bits & (1u << bit)) != 0u && culls(ksquad, seen))                   \
+        return bit;
+    KNOTSPAN_CULL_LIST(KNOTSPAN_TEST)
+#undef KNOTSPAN_TEST
+    return NOT_CULLED;
+}
+
+// By all that are on; where a culling camera stands still as it was said from there. By occlusion, hulls are only made for
+// the second half of the frame, which needs them anyway.
+int verdictOn(uint ksquad)
+{
+    if (keepsVerdicts())
+        return int(verdicts[ksquad]) - 1;
+    bool byDepth = (frame.cullBits & CULL_BY_DEPTH) != 0u;
+    return culledBy(ksquad, byDepth ? frame.cullBits & ~CULL_BY_HULL : frame.cullBits);
+}
 
 // Counts the verdict and says whether to draw.
 bool survives(int mode)

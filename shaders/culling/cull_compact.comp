@@ -19,13 +19,13 @@ void main()
         return;
     uint bit = 1u << (lane % 32u);
     uint word = groups[group].asking[lane / 32u];
-    if ((word & bit) == 0u)
-        return;
-    uint before = bitCount(word & (bit - 1u)) + (lane < 32u ? 0u : bitCount(groups[group].asking[0]));
-    asking[groups[group].start.y + before] = index;
+    if ((word & bit) != 0u) {
+        uint before = bitCount(word & (bit - 1u)) + (lane < 32u ? 0u : bitCount(groups[group].asking[0]));
+        asking[groups[group].start.y + before] = index;
+    }
     word = groups[group].visible[lane / 32u];
-    if ((word & bit) == 0u)
-        return;
-    before = bitCount(word & (bit - 1u)) + (lane < 32u ? 0u : bitCount(groups[group].visible[0]));
-    visible[groups[group].start.x + before] = index;
+    if ((word & bit) != 0u) {
+        uint before = bitCount(word & (bit - 1u)) + (lane < 32u ? 0u : bitCount(groups[group].visible[0]));
+        visible[groups[group].start.x + before] = index;
+    }
 }

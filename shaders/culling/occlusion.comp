@@ -1,5 +1,6 @@
-// The second half of culling by occlusion. What the last frame saw has been drawn; of what passed all other tests, that
-// which could still show in front of it is drawn now. And the next frame starts with all that could show.
+// The second half of culling by occlusion. What the last frame saw has been drawn; of what passed the tests before, that
+// which could still show in front of it is drawn now. And the next frame starts with all that could show. Tests of where a
+// KSQuad is in the picture wait for this half, too: most that fail them were not seen by the last frame either.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -46,14 +47,19 @@ void main()
     if (index >= frame.ksquadCount || (candidates[word] & bit) == 0u)
         return;
     bool drawn = (seen[word] & bit) != 0u;
-    if (!isOccluded(hullOnScreen(index))) {
+    SeenKsQuad view = seenKsQuad(index);
+    view.hull = hullOnScreen(index);
+    int mode = culledByHull(index, view, frame.cullBits);
+    if (mode == NOT_CULLED && isOccluded(view.hull))
+        mode = CULL_OCCLUSION;
+    if (mode == NOT_CULLED) {
         atomicOr(seenNow[word], bit);
         if (!drawn)
             atomicOr(groups[group].visible[lane / 32u], bit);
         return;
     }
     if (notesVerdicts())
-        verdicts[index] = CULL_OCCLUSION + 1u;
+        verdicts[index] = uint(mode + 1);
     if (!drawn)
-        atomicAdd(counters.culled[CULL_OCCLUSION], 1u);
+        atomicAdd(counters.culled[mode], 1u);
 }

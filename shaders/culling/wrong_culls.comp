@@ -47,7 +47,7 @@ void main()
     uint index = group * CULL_KSQUADS + gl_LocalInvocationID.x;
     if (index >= frame.ksquadCount)
         return;
-    int mode = culledBy(index);
+    int mode = culledBy(index, frame.cullBits);
     if (mode != NOT_CULLED && (frame.judgedBits & 1u << mode) != 0u && showsAnything(index))
         atomicAdd(counters.wronglyCulled[mode], 1u);
 }

@@ -8,11 +8,11 @@
 #include "../shared/grid_scene.glsl"
 #include "sampling_rules.glsl"
 
-layout(local_size_x = SAMPLING_KSQUADS) in;
+layout(local_size_x = LIST_KSQUADS) in;
 
 layout(set = 0, binding = BINDING_ADAPTIVE_BLOCKS, scalar) writeonly buffer BlockBuffer { uint adaptiveBlocks[]; };
 
-#define AT_ONCE (SAMPLING_KSQUADS / GRID_LANES)
+#define AT_ONCE (LIST_KSQUADS / GRID_LANES)
 
 shared uint needed[AT_ONCE];
 

@@ -1,5 +1,5 @@
 // How many cells each asking KSQuad (cull_asking.comp) asks for along its sides, by the frame's sampling rule (sampling_rules.glsl). By
-// the bound: first a thread a KSQuad, by one window for the whole; those that want more than one cell wait in a list, and
+// the bound: first a thread a KSQuad, by one window for the whole; those that want more than two cells wait in a list, and
 // GRID_LANES threads work on each. One loop, so that the making of windows stands in the stage once.
 #version 460
 #extension GL_GOOGLE_include_directive : require
@@ -7,16 +7,16 @@
 #include "../shared/counters.glsl"
 #include "sampling_rules.glsl"
 
-layout(local_size_x = SAMPLING_KSQUADS) in;
+layout(local_size_x = LIST_KSQUADS) in;
 
 layout(set = 0, binding = BINDING_ASKING, scalar) readonly buffer AskingBuffer { uint asking[]; };
 layout(set = 0, binding = BINDING_GRIDS, scalar) writeonly buffer GridBuffer { GridRecord grids[]; };
 
 // A ring: each entry that is taken comes back at most once for each turn.
-#define WAITING (2 * SAMPLING_KSQUADS)
-#define AT_ONCE (SAMPLING_KSQUADS / GRID_LANES)
+#define WAITING (2 * LIST_KSQUADS)
+#define AT_ONCE (LIST_KSQUADS / GRID_LANES)
 
-shared WindowFigures windows[SAMPLING_KSQUADS];
+shared WindowFigures windows[LIST_KSQUADS];
 shared uint waiting;
 shared uint waitingKsquads[WAITING];
 shared FirstGrid firstGrids[WAITING];
@@ -56,7 +56,7 @@ void conclude(uint place, uint firstWindow)
 void main()
 {
     uint thread = gl_LocalInvocationID.x;
-    uint index = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * SAMPLING_KSQUADS + thread;
+    uint index = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * LIST_KSQUADS + thread;
     if (frame.samplingRule != RULE_BOUND) {
         if (index < counters.asking)
             grids[asking[index]] = gridByLength(ksquads[asking[index]]);
@@ -102,8 +102,8 @@ void main()
             first = firstGrid(windows[thread], frame.tolerancePx);
             if (!windows[thread].visible) {
                 grids[ksquad] = GridRecord(0u, 0u);
-            } else if (first.u == 1u && first.v == 1u) {
-                choose(ksquad, 1u, 1u, windowBound(windows[thread], 1.0, 1.0));
+            } else if (first.level == GRID_LEVELS) {
+                choose(ksquad, first.u, first.v, windowBound(windows[thread], 1.0 / float(first.u), 1.0 / float(first.v)));
             } else {
                 uint slot = atomicAdd(waiting, 1u);
                 waitingKsquads[slot] = ksquad;

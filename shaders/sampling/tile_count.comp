@@ -4,7 +4,7 @@
 
 #include "tile_cut.glsl"
 
-layout(local_size_x = TILE_KSQUADS) in;
+layout(local_size_x = LIST_KSQUADS) in;
 
 layout(set = 0, binding = BINDING_TILE_COUNTS, scalar) writeonly buffer CountBuffer { uint tileCounts[]; };
 layout(set = 0, binding = BINDING_TILE_GROUPS, scalar) buffer GroupBuffer { uint groups[][2]; };
@@ -12,7 +12,7 @@ layout(set = 0, binding = BINDING_TILE_GROUPS, scalar) buffer GroupBuffer { uint
 void main()
 {
     uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
-    uint index = group * TILE_KSQUADS + gl_LocalInvocationID.x;
+    uint index = group * LIST_KSQUADS + gl_LocalInvocationID.x;
     if (index >= counters.visible)
         return;
     uint ksquad = visible[index];

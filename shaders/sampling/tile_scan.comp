@@ -16,7 +16,7 @@ void startAt(uint group, uvec2 start) { groups[group][1] = start.x; }
 void main()
 {
     uint lane = gl_LocalInvocationID.x;
-    uint total = scanGroups((counters.visible + TILE_KSQUADS - 1u) / TILE_KSQUADS).x;
+    uint total = scanGroups((counters.visible + LIST_KSQUADS - 1u) / LIST_KSQUADS).x;
     uint held = min(total, frame.tileCapacity);
     if (frame.taskTiles != 0u) {
         // Groups of a task stage, in two dimensions, because one holds only 65,535.

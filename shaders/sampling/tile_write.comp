@@ -5,7 +5,7 @@
 #define KNOTSPAN_TILES_ACCESS writeonly
 #include "tile_cut.glsl"
 
-layout(local_size_x = TILE_KSQUADS) in;
+layout(local_size_x = LIST_KSQUADS) in;
 
 layout(set = 0, binding = BINDING_TILE_COUNTS, scalar) readonly buffer CountBuffer { uint tileCounts[]; };
 layout(set = 0, binding = BINDING_TILE_GROUPS, scalar) readonly buffer GroupBuffer { uint groups[][2]; };
@@ -13,7 +13,7 @@ layout(set = 0, binding = BINDING_TILE_GROUPS, scalar) readonly buffer GroupBuff
 void main()
 {
     uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
-    uint first = group * TILE_KSQUADS;
+    uint first = group * LIST_KSQUADS;
     uint index = first + gl_LocalInvocationID.x;
     if (index >= counters.visible || tileCounts[index] == 0u)
         return;

@@ -15,7 +15,7 @@ struct FirstGrid {
     uint v;
     uint leastU;
     uint leastV;
-    uint level;  // of GRID_LEVELS: how closely windows look, 4^level of them a lane
+    uint level;  // how closely windows look, 4^level of them a lane; GRID_LEVELS: no window would save a cell
 };
 
 // How many windows there are for a lane.
@@ -102,7 +102,7 @@ FirstGrid firstGrid(WindowFigures KNOTSPAN_OF_REAL whole, Real tolerance)
     grid.v = 1u;
     grid.leastU = 1u;
     grid.leastV = 1u;
-    grid.level = 0u;
+    grid.level = GRID_LEVELS;
     if (windowBound KNOTSPAN_OF_REAL(whole, Real(1), Real(1)) <= tolerance)
         return grid;
     // The fewest cells with (a / u^2 + 2 b / (u v) + c / v^2) / 8 = tolerance, in real numbers, u and v at least 1.
@@ -133,6 +133,9 @@ FirstGrid firstGrid(WindowFigures KNOTSPAN_OF_REAL whole, Real tolerance)
     grid.leastV = min(max(uint(Real(0.75f) * Real(grid.v)), 1u), GRID_MOST_LEAST);
     for (int attempt = 0; attempt < 10; ++attempt) {
         if (windowBound KNOTSPAN_OF_REAL(whole, Real(1) / Real(grid.u), Real(1) / Real(grid.v)) <= tolerance) {
+            if (grid.u * grid.v == 2u)  // one cell is not enough, as far as windows of the whole tell
+                return grid;
+            grid.level = 0u;
             if (grid.leastU == 1u && grid.leastV == 1u) {
                 if (grid.u > grid.v)
                     grid.leastU = 2u;
@@ -147,6 +150,7 @@ FirstGrid firstGrid(WindowFigures KNOTSPAN_OF_REAL whole, Real tolerance)
         grid.v = min(grid.v + 1u + grid.v / 2u * (attempt > 1 ? 1u : 0u), GRID_LARGEST);
     }
     // Only a part of it may show, or be near.
+    grid.level = 0u;
     grid.leastU = max(grid.leastU / 2u, 1u);
     grid.leastV = max(grid.leastV / 2u, 1u);
     grid.u = GRID_NONE;

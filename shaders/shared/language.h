@@ -69,6 +69,7 @@ using std::min;
 using glm::mat4;
 using glm::mat4x3;
 using glm::uvec2;
+using glm::uvec3;
 using glm::vec2;
 using glm::vec3;
 using glm::vec4;

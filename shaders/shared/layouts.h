@@ -148,7 +148,14 @@ struct SurfaceView {
 struct CullGroup {
     uint visible[2];
     uint asking[2];
+    uint asked[2];  // in the frame's first half
     uvec2 start;
+};
+
+// For indirect dispatches: groups of LIST_KSQUADS.
+struct ListGroups {
+    uvec3 visible;
+    uvec3 asking;
 };
 
 // The index of a KSQuad into its surface: never a copy.

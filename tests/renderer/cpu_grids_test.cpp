@@ -38,7 +38,7 @@ struct Drawing {
         const auto changes = cpuScene.update(residents, edges.tables(), Evaluator::triangular);
         return grids.update(cpuScene, changes,
                             GridView::of(residents, camera, 640, 480, scene.bounds(), tolerancePx, cullBits,
-                                         ShownSides::all(residents.size())));
+                                         ShownSides::asTold(residents)));
     }
 
     void moveControlPoint(ObjectId id, ControlPointIndex index, const Vec3& by)

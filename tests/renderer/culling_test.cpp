@@ -135,6 +135,58 @@ TEST_P(Culling, OfAMirroredBodyDropsWhatFacesAway)
     EXPECT_GT(shownPixels(culled.picture), shownPixels(whole) * 8 / 10);
 }
 
+Scene told(const char* sample, Sides sides)
+{
+    Scene scene = findSample(sample)->make();
+    const Scene::Objects objects = scene.objects();
+    for (const auto& [id, object] : objects) {
+        SceneObject changed = *object;
+        changed.sides = sides;
+        scene.exchange(id, std::make_shared<const SceneObject>(std::move(changed)));
+    }
+    return scene;
+}
+
+// Of an open sheet both sides show unless it is told otherwise, and then strong culling may drop the other.
+TEST_P(Culling, ShowsTheSideThatAnObjectIsTold)
+{
+    KNOTSPAN_NEED_RENDERER(renderer);
+    KNOTSPAN_NEED_PATH(*renderer, GetParam());
+    for (const Sides sides : {Sides::front, Sides::back}) {
+        const Scene scene = told("single-100", sides);
+        int shown = 0;
+        for (const char* view : {"top", "bottom"}) {
+            Frame frame = frameOf(scene, GetParam(), 160, 120, view);
+            const Picture whole = drawn(*renderer, scene, frame).picture;
+            frame.culling = only("sqc");
+            const Drawn culled = drawn(*renderer, scene, frame);
+            EXPECT_EQ(culled.picture.rgba, whole.rgba) << sidesName(sides) << ", " << view;
+            const bool shows = shownPixels(whole) > 0;
+            shown += shows;
+            EXPECT_EQ(culled.stats.ksquadsDrawn, shows ? culled.stats.ksquads : 0) << view;
+        }
+        EXPECT_EQ(shown, 1) << sidesName(sides);
+    }
+    const Scene both = told("single-100", Sides::both);
+    const Scene open = told("single-100", Sides::automatic);
+    const Frame frame = frameOf(both, GetParam(), 160, 120);
+    EXPECT_EQ(drawn(*renderer, both, frame).picture.rgba, drawn(*renderer, open, frame).picture.rgba);
+}
+
+TEST_P(Culling, DropsNothingByFacingOfWhatIsToldToShowBothSides)
+{
+    KNOTSPAN_NEED_RENDERER(renderer);
+    KNOTSPAN_NEED_PATH(*renderer, GetParam());
+    const Scene closed = told("sphere", Sides::automatic);
+    Frame frame = frameOf(closed, GetParam(), 160, 120);
+    frame.culling = only("sqc");
+    const Drawn outside = drawn(*renderer, closed, frame);
+    EXPECT_LT(outside.stats.ksquadsDrawn, outside.stats.ksquads);
+    const Drawn both = drawn(*renderer, told("sphere", Sides::both), frame);
+    EXPECT_EQ(both.stats.ksquadsDrawn, both.stats.ksquads);
+    EXPECT_EQ(both.picture.rgba, outside.picture.rgba);  // the outside hides the inside
+}
+
 INSTANTIATE_TEST_SUITE_P(Path, Culling, ::testing::Values(PathId::mesh9x9, PathId::tessellation, PathId::cpu),
                          [](const auto& test) {
                              return test.param == PathId::mesh9x9        ? "Mesh9x9"

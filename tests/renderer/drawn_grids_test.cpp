@@ -30,7 +30,7 @@ struct Drawing {
         const SharedEdges edges(placed);
         const auto changes = cpuScene.update(residents, edges.tables(), Evaluator::triangular);
         view = GridView::of(residents, frame.camera, frame.width, frame.height, scene.bounds(),
-                            frame.tolerancePx, 0, ShownSides::all(residents.size()));
+                            frame.tolerancePx, 0, ShownSides::asTold(residents));
         (void)grids.update(cpuScene, changes, view);
         middle = {0.5 * frame.width, 0.5 * frame.height};
     }

@@ -4,11 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <vector>
 
 #include "model/analysis/grid_choice.h"
-#include "renderer/scene/patch_table.h"
 #include "shaders/shared/grid_search.glsl"
+#include "tests/shaders/packed_source.h"
 
 namespace knotspan::testing {
 
@@ -20,36 +19,28 @@ struct ChosenGrid {
     bool atOnce = false;  // one window said so
 };
 
-// A surface as it is packed for the GPU.
 template <class Real>
-class GridSource {
+class GridSource : public PackedSource<Real> {
 public:
-    explicit GridSource(const NurbsSurface& surface)
-        : surface_(surface),
-          frame_(PointFrame::of(surface)),
-          table_(makePatchTable<Real>(surface, Evaluator::triangular)),
-          points_(packPoints<Real>(frame_, surface.controlPoints()))
-    {
-    }
+    using PackedSource<Real>::PackedSource;
 
-    [[nodiscard]] Real spanTable(gpu::uint index) const { return table_.spanTables[index]; }
-    [[nodiscard]] glm::vec<4, Real> controlPoint(gpu::uint index) const { return points_[index]; }
     [[nodiscard]] const gpu::WindowFigures<Real>& window(gpu::uint index) const { return windows_[index]; }
-
-    [[nodiscard]] const Vec3& origin() const { return frame_.origin; }
 
     // `view` takes points relative to origin() to pixels; `ksquad` is a number of ksQuads().
     [[nodiscard]] ChosenGrid<Real> choose(size_t ksquad, const ScreenView& view, Real tolerance)
     {
-        const gpu::KsQuadPlace place = placeOf(table_.ksquads[ksquad]);
-        const gpu::PixelMap<Real> map = mapOf(view);
+        const gpu::KsQuadPlace place = placeOf(this->ksquad(static_cast<gpu::uint>(ksquad)));
+        const gpu::PixelMap<Real> map = this->mapOf(view);
         const gpu::Stretch<Real> all{0, 1};
         const auto whole = gpu::windowFigures<Real>(*this, place, map, all, all);
         if (!whole.visible)
             return {{1, 1}, false, 0, true};
         gpu::FirstGrid first = gpu::firstGrid<Real>(whole, tolerance);
-        if (first.u == 1 && first.v == 1)
-            return {{1, 1}, true, gpu::windowBound<Real>(whole, 1, 1), true};
+        if (first.level == GRID_LEVELS)
+            return {{static_cast<int>(first.u), static_cast<int>(first.v)},
+                    true,
+                    gpu::windowBound<Real>(whole, Real(1) / Real(first.u), Real(1) / Real(first.v)),
+                    true};
         gpu::uint best = gpu::gridKey(first.u, first.v);
         while (first.level < GRID_LEVELS) {
             for (gpu::uint lane = 0; lane < GRID_LANES; ++lane) {
@@ -78,32 +69,17 @@ public:
 private:
     [[nodiscard]] gpu::KsQuadPlace placeOf(const gpu::KsQuadRecord& record) const
     {
-        const int p = surface_.degreeU();
-        const int q = surface_.degreeV();
+        const gpu::SurfaceRecord surface = this->surface(record.surface);
+        const gpu::uint p = surface.degreeU;
+        const gpu::uint q = surface.degreeV;
         return {record.firstPoint,
-                static_cast<gpu::uint>(surface_.countV()),
-                record.spanU - static_cast<gpu::uint>((p + 1) * (p + 1)),
-                record.spanV - static_cast<gpu::uint>((q + 1) * (q + 1)),
-                p,
-                q};
+                surface.stride,
+                record.spanU - (p + 1) * (p + 1),
+                record.spanV - (q + 1) * (q + 1),
+                static_cast<int>(p),
+                static_cast<int>(q)};
     }
 
-    [[nodiscard]] static gpu::PixelMap<Real> mapOf(const ScreenView& view)
-    {
-        const auto row = [&](int number) {
-            return Vec4(view.toPixels[0][number], view.toPixels[1][number], view.toPixels[2][number],
-                        view.toPixels[3][number]);
-        };
-        const Vec2 middle = 0.5 * (view.low + view.high);
-        using Row = glm::vec<4, Real>;
-        return {Row(row(0) - middle.x * row(3)), Row(row(1) - middle.y * row(3)), Row(row(2)), Row(row(3)),
-                glm::vec<2, Real>(view.high - middle)};
-    }
-
-    const NurbsSurface& surface_;
-    PointFrame frame_;
-    PatchTable<Real> table_;
-    std::vector<glm::vec<4, Real>> points_;
     std::array<gpu::WindowFigures<Real>, GRID_LANES> windows_{};
 };
 

@@ -101,6 +101,7 @@ TEST(KnotspanFormat, KeepsTrimLoopsNamesUnitsAndTransforms)
     object.transform[3] = Vec4(4, 5, 6, 1);
     object.transform[0] = Vec4(0.1, 0.7, -0.3, 0);
     object.trimLoops = {{true, {line({0, 0}, {1, 1.0 / 3}), arc, line({0.2, 1}, {0, 0})}}, {false, {arc}}};
+    object.sides = Sides::back;
     Scene scene;
     scene.setUnits("in");
     scene.add(object);
