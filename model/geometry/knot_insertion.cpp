@@ -3,47 +3,11 @@
 #include <algorithm>
 
 #include "model/core/check.h"
+#include "model/geometry/net_rows.h"
 
 namespace knotspan {
 
 namespace {
-
-const KnotVector& knotsOf(const NurbsSurface& surface, Direction direction)
-{
-    return direction == Direction::U ? surface.knotsU() : surface.knotsV();
-}
-
-NurbsSurface withKnots(const NurbsSurface& surface, Direction direction, std::vector<double> knots,
-                       std::vector<ControlPoint> points)
-{
-    auto created = KnotVector::create(knotsOf(surface, direction).degree(), std::move(knots));
-    check(created.has_value(), "inserting within the allowed multiplicity leaves a valid knot vector");
-    auto result = direction == Direction::U
-                      ? NurbsSurface::create(*std::move(created), surface.knotsV(), std::move(points))
-                      : NurbsSurface::create(surface.knotsU(), *std::move(created), std::move(points));
-    check(result.has_value(), "control points between valid ones are valid");
-    return *std::move(result);
-}
-
-// The net with each row along `direction` replaced: newPoint(at, k) gives its k-th point, where at(k) is the
-// old row's.
-template <class NewPoint>
-std::vector<ControlPoint> rowByRow(const NurbsSurface& surface, Direction direction, int newCount,
-                                   const NewPoint& newPoint)
-{
-    const bool alongU = direction == Direction::U;
-    const int rows = alongU ? surface.countV() : surface.countU();
-    const int stride = alongU ? surface.countV() : newCount;
-    std::vector<ControlPoint> points(static_cast<size_t>(newCount) * static_cast<size_t>(rows));
-    for (int row = 0; row < rows; ++row) {
-        const auto at = [&](int k) -> const ControlPoint& {
-            return alongU ? surface.controlPoint(k, row) : surface.controlPoint(row, k);
-        };
-        for (int k = 0; k < newCount; ++k)
-            points[static_cast<size_t>(alongU ? k * stride + row : row * stride + k)] = newPoint(at, k);
-    }
-    return points;
-}
 
 // (1 - a) A + a B in homogeneous space, written so that equal points and equal weights stay what they are, to
 // the bit, and nothing is lost far from the origin.
@@ -66,9 +30,17 @@ int multiplicity(const KnotVector& knots, double value)
     return static_cast<int>(std::count(knots.values().begin(), knots.values().end(), value));
 }
 
+NurbsSurface withKnots(const NurbsSurface& surface, Direction direction, std::vector<double> knots,
+                       std::vector<ControlPoint> points)
+{
+    auto created = KnotVector::create(knotsAlong(surface, direction).degree(), std::move(knots));
+    check(created.has_value(), "inserting within the allowed multiplicity leaves a valid knot vector");
+    return withKnotsAlong(surface, direction, *std::move(created), std::move(points));
+}
+
 NurbsSurface withKnotInsertedOnce(const NurbsSurface& surface, Direction direction, double value)
 {
-    const KnotVector& knots = knotsOf(surface, direction);
+    const KnotVector& knots = knotsAlong(surface, direction);
     const int p = knots.degree();
     const int k = lastNotAbove(knots, value);
     const int s = multiplicity(knots, value);
@@ -96,17 +68,26 @@ NurbsSurface withKnotInserted(const NurbsSurface& surface, Direction direction, 
     return result;
 }
 
+NurbsSurface withKnotsInserted(const NurbsSurface& surface, Direction direction,
+                               const std::vector<double>& values)
+{
+    NurbsSurface result = surface;
+    for (const double value : values)
+        result = withKnotInsertedOnce(result, direction, value);
+    return result;
+}
+
 NurbsSurface clampedPart(const NurbsSurface& surface, Direction direction, double start, double end)
 {
-    const int p = knotsOf(surface, direction).degree();
+    const int p = knotsAlong(surface, direction).degree();
     check(start < end, "a part of a surface has a length");
     NurbsSurface refined = surface;
     for (const double value : {start, end})
         refined = withKnotInserted(refined, direction, value,
-                                   std::max(0, p - multiplicity(knotsOf(refined, direction), value)));
+                                   std::max(0, p - multiplicity(knotsAlong(refined, direction), value)));
 
     // After p copies of a knot whose last has index k, control point k - p lies on the surface.
-    const KnotVector& knots = knotsOf(refined, direction);
+    const KnotVector& knots = knotsAlong(refined, direction);
     const int surplus = multiplicity(knots, start) - p;  // 1 at a clamped start
     const int first = lastNotAbove(knots, start) - p;
     const int last =

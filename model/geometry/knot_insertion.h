@@ -16,6 +16,10 @@ enum class Direction { U, V };
 [[nodiscard]] NurbsSurface withKnotInserted(const NurbsSurface& surface, Direction direction, double value,
                                             int times = 1);
 
+// The surface with each of `values` inserted once, in whatever order; a value may stand there several times.
+[[nodiscard]] NurbsSurface withKnotsInserted(const NurbsSurface& surface, Direction direction,
+                                             const std::vector<double>& values);
+
 // The part between two parameters of the domain, start < end, as a clamped surface of its own with the same
 // parameters. The NURBS Book, 5.3.
 [[nodiscard]] NurbsSurface clampedPart(const NurbsSurface& surface, Direction direction, double start,

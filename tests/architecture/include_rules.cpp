@@ -159,7 +159,7 @@ std::vector<FolderRule> makeRules()
 {
     const Folders geometry{"model/core", "shaders/shared"};
     const Folders values = geometry + Folders{"model/geometry"};
-    const Folders scene = values + Folders{"model/analysis", "model/scene"};
+    const Folders scene = values + Folders{"model/analysis", "model/friends", "model/scene"};
     const Folders drawing = scene + Folders{"renderer/vulkan", "renderer/scene", "renderer/frame.h",
                                             "renderer/culling/cull_modes.h", "renderer/paths/path_list.h"};
     const Folders window{"model",
@@ -180,6 +180,8 @@ std::vector<FolderRule> makeRules()
         {.folder = "model/core", .mayInclude = {}},
         {.folder = "model/geometry", .mayInclude = geometry},
         {.folder = "model/analysis", .mayInclude = values},
+        {.folder = "model/matching", .mayInclude = scene},
+        {.folder = "model/friends", .mayInclude = values + Folders{"model/analysis", "model/scene"}},
         {.folder = "model/scene", .mayInclude = values},
         {.folder = "model/samples", .mayInclude = values + Folders{"model/scene"}},
         {.folder = "model/mesh", .mayInclude = scene, .meshLibraries = true},
@@ -215,6 +217,7 @@ std::vector<FolderRule> makeRules()
          .disk = Disk::yes,
          .qt = true},
         {.folder = "benchmarks/deforming", .mayInclude = scene + Folders{"model/samples", "renderer/scene"}},
+        {.folder = "benchmarks/friends", .mayInclude = scene + Folders{"model/samples"}},
         // The peers that it measures beside ours.
         {.folder = "benchmarks/evaluation",
          .mayInclude = values + Folders{"benchmarks/evaluation"},
