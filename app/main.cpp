@@ -30,6 +30,7 @@ int run(int& argc, char** argv)
     addRenderCommand(app, exitCode);
     addConvertCommand(app, exitCode);
     addInfoCommand(app, exitCode);
+    addAnalyzeCommand(app, exitCode);
     addSampleCommand(app, exitCode);
     addEvaluateCommand(app, exitCode);
     addMeasureCommand(app, exitCode);

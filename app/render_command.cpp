@@ -11,6 +11,7 @@
 #include "renderer/leak_count.h"
 #include "renderer/measurement/closed_model.h"
 #include "renderer/renderer.h"
+#include "ui/viewport/friend_lines.h"
 
 namespace knotspan::app {
 namespace {
@@ -19,6 +20,14 @@ struct Drawn {
     Picture picture;
     FrameStats stats;
 };
+
+// As `scene` has them before anything moves.
+std::vector<EdgeLine> friendLinesOf(const Scene& scene)
+{
+    SceneFriends friends;
+    friends.follow(scene);
+    return friendLines(friends);
+}
 
 Frame frameFor(const RenderTexts& texts, const RenderRequest& request, const Scene& scene, PathId path)
 {
@@ -35,6 +44,8 @@ Frame frameFor(const RenderTexts& texts, const RenderRequest& request, const Sce
     frame.shading = request.shading;
     frame.overlays.controlNets = texts.net;
     frame.overlays.knotLines = texts.knots;
+    if (texts.friends)
+        frame.overlays.edgeLines = friendLinesOf(scene);
     return frame;
 }
 

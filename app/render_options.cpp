@@ -74,6 +74,8 @@ void addRenderOptions(CLI::App& command, RenderTexts& texts)
     text("--shading", texts.shading, "What colours say: " + listed(shadings()), "S");
     command.add_flag("--net", texts.net, "Draw the control nets, too");
     command.add_flag("--knots", texts.knots, "Draw the borders of the KSQuads, too");
+    command.add_flag("--friends", texts.friends,
+                     "Draw the edges where surfaces meet, too, in colours that say how smoothly");
     command.add_option("--frames", texts.frames, "Frames to draw; the last one is written")
         ->capture_default_str()
         ->check(within(1, 1e6))

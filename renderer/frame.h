@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "model/geometry/basis_evaluators.h"
+#include "model/geometry/bezier_conversion.h"
 #include "model/scene/control_point_editing.h"
 #include "model/scene/deformation.h"
 #include "model/scene/scene.h"
@@ -28,12 +29,25 @@ struct ControlPointMark {
     [[nodiscard]] bool operator==(const ControlPointMark&) const = default;
 };
 
+// A line along a side of a surface, between two of its parameters.
+struct EdgeLine {
+    ObjectId object{};
+    Side side{};
+    double from = 0;  // < to
+    double to = 0;
+    std::uint32_t colour = 0;  // 0xRRGGBB, sRGB
+    double widthPx = 3;
+
+    [[nodiscard]] bool operator==(const EdgeLine&) const = default;
+};
+
 struct Overlays {
     bool controlNets = false;           // of all objects
     std::vector<ObjectId> netsOf;       // of these, whatever controlNets says
     bool knotLines = false;             // the KSQuads' borders on every surface
     std::vector<ObjectId> highlighted;  // objects drawn as selected
     std::vector<ControlPointMark> marks;
+    std::vector<EdgeLine> edgeLines;  // what surfaces hide of them does not show
 
     [[nodiscard]] bool operator==(const Overlays&) const = default;
     // Whether anything is drawn from control points.

@@ -54,6 +54,8 @@ FrameStats Renderer::Parts::statsOf(const Frame& frame, const SurfacePath& path,
     stats.ksdice = wide(counted_.ksdice);
     stats.triangles = wide(counted_.triangles);
     stats.evaluations = wide(counted_.evaluations);
+    if (path.asksForFriends(rule))
+        stats.samplesSaved = wide(counted_.samplesSaved);
     if ((frame.culling.bits & CULL_DICE) != 0)
         stats.trianglesCulled = wide(counted_.trianglesCulled);
     if (counted_.meshGroups > 0) {

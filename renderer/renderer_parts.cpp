@@ -58,7 +58,8 @@ Renderer::Parts::Parts(std::unique_ptr<Instance> madeInstance, const RendererOpt
       sampling(device, bindings),
       wave(device, bindings, uploader),
       controlNet(device, bindings),
-      rejectedOutlines(device, bindings)
+      rejectedOutlines(device, bindings),
+      edgeLines(device, bindings, uploader)
 {
     bindings.provide(BINDING_FRAME, frameBuffer_, sizeof(gpu::FrameRecord));
 }
@@ -204,8 +205,11 @@ FrameStats Renderer::Parts::draw(const Frame& wantedFrame, bool capture)
         scene.useEvaluator(evaluator);
         scene.usePacking(path.packing(), frame.overlays.showNets());
         fitTargets(frame);
+        if (path.asksForFriends(rule))
+            scene.setFriends(friendSides.of(scene.residents()));
         uploaded = noteVerdicts(frame, variant, path, rule, started);
         prepareCulling(frame, path);
+        edgeLines.prepare(frame.overlays.edgeLines, scene.residents(), specializationFor(scene.evaluator()));
         uploaded += drawWhole(frame, path, rule, capture, started);
     } catch (...) {
         // Nobody knows what arrived: the next frame sends everything again.
@@ -213,6 +217,7 @@ FrameStats Renderer::Parts::draw(const Frame& wantedFrame, bool capture)
         path.forget();
         scene.forget();
         facing.forget();
+        edgeLines.forget();
         sceneIsHeld_ = false;
         frameRecord_.reset();
         lastFrame.reset();

@@ -9,11 +9,13 @@
 #include "renderer/culling/wrong_culls.h"
 #include "renderer/frame_targets.h"
 #include "renderer/overlays/control_net.h"
+#include "renderer/overlays/edge_lines.h"
 #include "renderer/overlays/rejected_outlines.h"
 #include "renderer/paths/surface_path.h"
 #include "renderer/point_evaluation.h"
 #include "renderer/sampling/sampling_pass.h"
 #include "renderer/scene/facing_table.h"
+#include "renderer/scene/friend_sides.h"
 #include "renderer/scene/gpu_scene.h"
 #include "renderer/scene/shown_sides.h"
 #include "renderer/scene/wave_pass.h"
@@ -48,6 +50,7 @@ struct Renderer::Parts {
     GpuScene scene;
     FacingTable facing;
     ShownSides shownSides;
+    FriendSides friendSides;
     CullPass culling;
     DepthPyramid pyramid;
     WrongCulls wrongCulls;
@@ -55,6 +58,7 @@ struct Renderer::Parts {
     WavePass wave;
     ControlNet controlNet;
     RejectedOutlines rejectedOutlines;
+    EdgeLines edgeLines;
     std::map<std::pair<PathId, PathVariant>, std::unique_ptr<SurfacePath>>
         paths;  // made when first drawn with
     std::unique_ptr<FrameTargets> targets;

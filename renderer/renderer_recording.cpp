@@ -55,6 +55,8 @@ void Renderer::Parts::record(VkCommandBuffer commands, const Frame& frame, const
 
 void Renderer::Parts::drawOverlays(VkCommandBuffer commands, const Overlays& overlays) const
 {
+    if (!overlays.edgeLines.empty())
+        edgeLines.draw(commands);
     if (overlays.controlNets) {
         for (const Resident& resident : scene.residents())
             controlNet.drawNet(commands, scene.indexOf(resident), resident.object->surface);

@@ -1,5 +1,9 @@
 // The menu Edit.
+#include <QSettings>
+#include <QStatusBar>
+
 #include "ui/action_rows.h"
+#include "ui/match_dialog.h"
 
 namespace knotspan {
 
@@ -35,6 +39,50 @@ void deleteSelected(Window& window)
     const int count = static_cast<int>(objects.size());
     window.document().apply(edit, count == 1 ? MainWindow::tr("Delete an object")
                                              : MainWindow::tr("Delete %1 objects").arg(count));
+}
+
+void keepFriends(Window& window, bool keep)
+{
+    ToolSettings settings = window.viewport().toolSettings();
+    settings.keepFriends = keep;
+    window.viewport().setToolSettings(settings);
+    QSettings().setValue("keepFriends", keep);
+    window.statusBar()->showMessage(
+        keep ? MainWindow::tr(
+                   "Keep friends is on: where surfaces meet smoothly, both sides of the edge follow "
+                   "a dragged control point")
+             : MainWindow::tr("Keep friends is off: a dragged control point moves alone"));
+}
+
+// Of the friends; nothing where none or a naked edge is chosen.
+std::optional<ObjectEdge> chosenEdge(Window& window)
+{
+    const std::optional<size_t> number = window.shownFriends().chosen();
+    if (!number)
+        return std::nullopt;
+    const SceneFriends& friends = window.friends().friends();
+    if (*number >= friends.edges().size())
+        return std::nullopt;
+    const FriendEdge& edge = friends.edges()[*number];
+    return ObjectEdge{edge, friends.objects()[edge.a.surface], friends.objects()[edge.b.surface]};
+}
+
+MatchDialog* makeMatchDialog(Window& window)
+{
+    auto* dialog = new MatchDialog(window.document(), window.selection(), &window);
+    QObject::connect(&window.shownFriends(), &ShownFriends::changed, dialog, [&window, dialog] {
+        if (dialog->isVisible())
+            dialog->setEdge(chosenEdge(window));
+    });
+    return dialog;
+}
+
+void matchEdge(Window& window)
+{
+    auto& dialog = broughtUp<MatchDialog>(window, [&] { return makeMatchDialog(window); });
+    dialog.setEdge(chosenEdge(window));
+    if (!dialog.edge())
+        dialog.offerEdges();
 }
 
 }  // namespace
@@ -73,6 +121,20 @@ const std::vector<ActionInfo>& editActions()
          .tip = TEXT("Remove the selected objects"),
          .run = [](Window& w, bool) { deleteSelected(w); },
          .isEnabled = hasSelection},
+        {.id = "edit.keepFriends",
+         .text = TEXT("&Keep friends"),
+         .shortcuts = {QKeySequence("Shift+K")},
+         .tip = TEXT(
+             "Where surfaces meet smoothly, let both sides of the edge follow a dragged control point, so "
+             "that it stays smooth"),
+         .run = [](Window& w, bool checked) { keepFriends(w, checked); },
+         .isChecked = [](Window& w) { return w.viewport().toolSettings().keepFriends; },
+         .separated = true},
+        {.id = "edit.matchEdge",
+         .text = TEXT("&Match edge…"),
+         .shortcuts = {QKeySequence("M")},
+         .tip = TEXT("Make surfaces meet smoothly along an edge, and see first how far they move for it"),
+         .run = [](Window& w, bool) { matchEdge(w); }},
     };
     return kList;
 }

@@ -47,7 +47,9 @@ MainWindow::MainWindow(Questions questions)
     // Not at each move of a drag: the bar's going would move the picture under the hand.
     connect(&document_.undoStack(), &QUndoStack::indexChanged, messages_, &MessageBar::dismissTrouble);
     connect(&selection_, &Selection::changed, this, &MainWindow::showActionStates);
+    connect(&shownFriends_, &ShownFriends::changed, this, &MainWindow::showActionStates);
     connect(viewport_, &Viewport::frameChanged, this, &MainWindow::showActionStates);
+    connect(viewport_, &Viewport::toolSettingsChanged, this, &MainWindow::showActionStates);
     showTitle();
     showActionStates();
 }
@@ -60,6 +62,7 @@ MainWindow::~MainWindow()
     document_.disconnect();
     document_.undoStack().disconnect();
     selection_.disconnect();
+    shownFriends_.disconnect();
     qDeleteAll(findChildren<QDialog*>(QString(), Qt::FindDirectChildrenOnly));
     qDeleteAll(panels_);
     delete takeCentralWidget();

@@ -8,9 +8,10 @@
 
 #include <QMainWindow>
 
-#include "model/document/document.h"
+#include "model/document/document_friends.h"
 #include "ui/questions.h"
 #include "ui/tools/selection.h"
+#include "ui/viewport/shown_friends.h"
 #include "ui/viewport/viewport.h"
 
 class QDockWidget;
@@ -31,6 +32,8 @@ public:
 
     [[nodiscard]] Document& document() { return document_; }
     [[nodiscard]] Selection& selection() { return selection_; }
+    [[nodiscard]] DocumentFriends& friends() { return friends_; }
+    [[nodiscard]] ShownFriends& shownFriends() { return shownFriends_; }
     [[nodiscard]] Viewport& viewport() { return *viewport_; }
     [[nodiscard]] DocumentFiles& files() { return *files_; }
     [[nodiscard]] QAction* action(std::string_view id) const;  // of actionList()
@@ -57,6 +60,8 @@ private:
     void showFrameLine(const FrameStats& stats);
 
     Document document_;
+    DocumentFriends friends_{document_};
+    ShownFriends shownFriends_{friends_};
     Selection selection_;
     std::map<std::string, QAction*, std::less<>> actions_;
     Viewport* viewport_ = nullptr;

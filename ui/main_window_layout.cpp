@@ -40,6 +40,7 @@ void MainWindow::makeCentre()
     column->addWidget(messages_);
     column->addWidget(viewport_, 1);
     setCentralWidget(centre);
+    viewport_->setFriends(shownFriends_);
     connect(viewport_, &Viewport::failed, messages_, &MessageBar::say);
     connect(viewport_, &Viewport::frameDrawn, this, &MainWindow::showFrameLine);
 }
@@ -56,8 +57,10 @@ void MainWindow::makeActions()
         made->setToolTip(key.isEmpty() ? translatedAction(info.tip)
                                        : QString("%1 (%2)").arg(translatedAction(info.tip), key));
         made->setCheckable(info.isChecked != nullptr);
-        connect(made, &QAction::triggered, this,
-                [this, run = info.run](bool checked) { run(*this, checked); });
+        connect(made, &QAction::triggered, this, [this, run = info.run](bool checked) {
+            run(*this, checked);
+            showActionStates();  // Qt has checked or unchecked it, whatever came of it
+        });
         addAction(made);  // so that its keys work whatever menu is open
         actions_[info.id] = made;
     }
@@ -71,7 +74,10 @@ void MainWindow::makePanels()
         dock->setObjectName(info.name);
         dock->setWidget(info.make(*this));
         dock->toggleViewAction()->setStatusTip(tr("Show or hide the panel \"%1\"").arg(title));
+        if (info.shortcut != nullptr)
+            dock->toggleViewAction()->setShortcut(QKeySequence(info.shortcut));
         addDockWidget(info.area, dock);
+        dock->setHidden(info.hiddenAtFirst);
         panels_.push_back(dock);
     }
 }
@@ -79,7 +85,7 @@ void MainWindow::makePanels()
 void MainWindow::makeMenus()
 {
     const std::vector<std::pair<std::string_view, QString>> titles = {
-        {"file", tr("&File")}, {"edit", tr("&Edit")}, {"view", tr("&View")}, {"help", tr("&Help")}};
+        {"file", tr("&File")}, {"edit", tr("&Edit")}, {"object", tr("&Object")}, {"view", tr("&View")}, {"help", tr("&Help")}};
     for (const auto& [menuName, title] : titles) {
         QMenu& menu = *menuBar()->addMenu(title);
         if (menuName == "file")
@@ -111,8 +117,9 @@ void MainWindow::makeToolBar()
     const std::vector<std::vector<const char*>> groups = {
         {"file.open", "file.save"},
         {"edit.undo", "edit.redo"},
+        {"edit.keepFriends", "edit.matchEdge"},
         {"view.fit", "view.iso", "view.front", "view.right", "view.top"},
-        {"view.orthographic", "view.nets", "view.knots"}};
+        {"view.orthographic", "view.nets", "view.knots", "view.friends"}};
     for (const auto& group : groups) {
         if (&group != &groups.front())
             toolBar_->addSeparator();
@@ -139,6 +146,12 @@ void MainWindow::makeStatusBar()
         frameLine_->setText(tr("Preparing the picture; the first time this can take a while"));
     };
     connect(viewport_, &Viewport::preparing, this, preparing);
+    connect(viewport_, &Viewport::hint, this, [this](const QString& sentence) {
+        if (sentence.isEmpty())
+            statusBar()->clearMessage();
+        else
+            statusBar()->showMessage(sentence);
+    });
     if (viewport_->isDrawPending() && viewport_->renderer() != nullptr)
         preparing();
 }
@@ -174,6 +187,10 @@ void MainWindow::restoreLayout()
     const QSettings settings;
     restoreGeometry(settings.value("geometry").toByteArray());
     restoreState(settings.value("layout").toByteArray());
+    ToolSettings tools = viewport_->toolSettings();
+    tools.keepFriends = settings.value("keepFriends", false).toBool();
+    viewport_->setToolSettings(tools);
+    shownFriends_.showLines(settings.value("friendEdges", false).toBool());
 }
 
 }  // namespace knotspan

@@ -1,6 +1,7 @@
 #include "ui/panel_list.h"
 
 #include "ui/main_window.h"
+#include "ui/panels/friends_panel.h"
 #include "ui/panels/objects_panel.h"
 #include "ui/panels/rendering_panel.h"
 #include "ui/panels/stats_panel.h"
@@ -15,6 +16,11 @@ namespace {
 QWidget* makeObjects(MainWindow& window)
 {
     return new ObjectsPanel(window.document(), window.selection());
+}
+
+QWidget* makeFriends(MainWindow& window)
+{
+    return new FriendsPanel(window.document(), window.shownFriends(), window.viewport());
 }
 
 QWidget* makeRendering(MainWindow& window)
@@ -36,6 +42,7 @@ const std::vector<PanelInfo>& panelList()
     static const std::vector<PanelInfo> kList = {
         {"objects-dock", TITLE("Objects"), Qt::LeftDockWidgetArea, makeObjects},
         {"rendering-dock", TITLE("Rendering"), Qt::RightDockWidgetArea, makeRendering},
+        {"friends-dock", TITLE("Friends"), Qt::LeftDockWidgetArea, makeFriends, "Ctrl+F", true},
         {"stats-dock", TITLE("Statistics"), Qt::RightDockWidgetArea, makeStats},
     };
     return kList;

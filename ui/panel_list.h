@@ -18,6 +18,8 @@ struct PanelInfo {
     Qt::DockWidgetArea area;  // at first
     // Wired to what it shows, all of which outlives it.
     QWidget* (*make)(MainWindow& window);
+    const char* shortcut = nullptr;  // of its line in the menu
+    bool hiddenAtFirst = false;
 };
 
 // From the top down.

@@ -1,6 +1,8 @@
 // The menu View: what the viewport draws, and from where.
 #include <algorithm>
 
+#include <QSettings>
+
 #include "ui/action_rows.h"
 #include "ui/speed_dialog.h"
 
@@ -39,6 +41,12 @@ void freezeCulling(Window& window, bool on)
         if (on)
             frame.cullingCamera = frame.camera;
     });
+}
+
+void showFriends(Window& window, bool on)
+{
+    window.shownFriends().showLines(on);
+    QSettings().setValue("friendEdges", on);
 }
 
 void showSpeed(Window& window)
@@ -122,6 +130,12 @@ const std::vector<ActionInfo>& viewActions()
          .tip = TEXT("Show where the surfaces' spans meet"),
          .run = [](Window& w, bool on) { change(w, [on](Frame& frame) { frame.overlays.knotLines = on; }); },
          .isChecked = [](Window& w) { return w.viewport().frame().overlays.knotLines; }},
+        {.id = "view.friends",
+         .text = TEXT("Friend &edges"),
+         .shortcuts = {QKeySequence("E")},
+         .tip = TEXT("Show how smoothly surfaces meet, edge by edge, in the colours of the panel Friends"),
+         .run = [](Window& w, bool on) { showFriends(w, on); },
+         .isChecked = [](Window& w) { return w.shownFriends().linesAreShown(); }},
         {.id = "view.freezeCulling",
          .text = TEXT("Free&ze culling"),
          .shortcuts = {QKeySequence("Shift+C")},

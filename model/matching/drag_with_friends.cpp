@@ -12,8 +12,8 @@ namespace knotspan {
 
 namespace {
 
-// What follows is nearly always one of those that touch a pulled object. Those at the last step are only there
-// so that all edges of the ones before are known.
+// What follows is nearly always one of those that touch a pulled object. Those at the last step are only
+// there so that all edges of the ones before are known.
 constexpr int kSteps = 2;
 
 bool isFinite(const Vec3& place)
@@ -114,8 +114,8 @@ Result<std::vector<PointMove>> DragWithFriends::follow(const std::vector<ObjectP
     for (const ObjectPull& pull : pulled) {
         const Mat4& transform = start_.find(pull.object)->transform;
         // The identity must not cost the last bit.
-        const Vec3 local = transform == Mat4(1.0) ? pull.position
-                                                  : transformed(pull.position, glm::inverse(transform));
+        const Vec3 local =
+            transform == Mat4(1.0) ? pull.position : transformed(pull.position, glm::inverse(transform));
         if (!isFinite(local))
             return tooFar();
         moves.push_back({part_->number(pull.object), pull.index, local});

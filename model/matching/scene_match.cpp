@@ -66,15 +66,15 @@ std::optional<ObjectEdge> foundAgain(const Scene& scene, const ObjectEdge& edge,
     return best;
 }
 
-Result<SceneMatch> matchInScene(const Scene& scene, const ObjectEdge& edge, Continuity wanted, MatchSides move,
-                                const FriendTolerances& tolerances)
+Result<SceneMatch> matchInScene(const Scene& scene, const ObjectEdge& edge, Continuity wanted,
+                                MatchSides move, const FriendTolerances& tolerances)
 {
     const SharedObject a = scene.find(edge.a);
     const SharedObject b = scene.find(edge.b);
     if (!a || !b)
         return failure("The edge's objects are no longer there", "Choose another edge");
-    MatchRequest request{placed(a), placed(b), edge.edge.a, edge.edge.b, edge.edge.reversed,
-                         wanted,    move,      tolerances};
+    MatchRequest request{placed(a),          placed(b), edge.edge.a, edge.edge.b,
+                         edge.edge.reversed, wanted,    move,        tolerances};
     request.edgeA.surface = 0;
     request.edgeB.surface = edge.a == edge.b ? 0 : 1;
     auto proposal = matchEdge(request);

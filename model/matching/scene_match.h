@@ -16,8 +16,8 @@ struct ObjectEdge {
     ObjectId b{};
 };
 
-// The edges of these objects, as Friends finds them within the tolerances; the others take part where they are
-// visible. Objects that are not in the scene are passed over.
+// The edges of these objects, as Friends finds them within the tolerances; the others take part where they
+// are visible. Objects that are not in the scene are passed over.
 [[nodiscard]] std::vector<ObjectEdge> edgesOf(const Scene& scene, const std::set<ObjectId>& objects,
                                               const FriendTolerances& tolerances);
 

@@ -81,6 +81,9 @@ public:
     // What of the device holds the path back, as a sentence; empty: nothing worth telling.
     [[nodiscard]] virtual std::string limit() const { return {}; }
 
+    // Whether the rule draws borders otherwise where they have a friend (BORDER_FRIEND).
+    [[nodiscard]] virtual bool asksForFriends(const SamplingRule& /*rule*/) const { return false; }
+
     // What the path does on the CPU before the frame is recorded, and its limits in the frame's record.
     virtual void prepare(const PathFrame& /*frame*/, gpu::FrameRecord& /*record*/) {}
     // What it computes on the device before the rendering; bindings are set for compute.

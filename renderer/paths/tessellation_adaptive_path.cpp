@@ -49,14 +49,18 @@ public:
         record.flags |= FRAME_EVEN_TILES;
         if (record.samplingRule == RULE_AREA || record.samplingRule == RULE_EDGE) {
             record.snap = SNAP_HALVES;
-            // RPNS eq. 5, boundary region: where the neighbour is no friend. Here a friend is who lies along
-            // it.
-            record.flags |= FRAME_OVERSAMPLE_OPEN;
+            // RPNS eq. 5, boundary region: where the neighbour is no friend.
+            record.flags |= FRAME_OVERSAMPLE_STRANGERS;
             if (frame.rule.kind == SamplingRule::Kind::areaNoFriends)
-                record.flags |= FRAME_OVERSAMPLE_SHARED;
+                record.flags |= FRAME_OVERSAMPLE_FRIENDS;
         }
         bindings_.provide(BINDING_ADAPTIVE_BLOCKS, blockBuffer_,
                           VkDeviceSize{ksquads_} * sizeof(std::uint32_t));
+    }
+
+    [[nodiscard]] bool asksForFriends(const SamplingRule& rule) const override
+    {
+        return rule.kind == SamplingRule::Kind::area || rule.kind == SamplingRule::Kind::edge;
     }
 
     void compute(VkCommandBuffer commands) const override

@@ -225,14 +225,23 @@ void GpuScene::updateBorders()
     std::vector<CoincidentEdges::Change> moved;
     for (const size_t index : std::exchange(unsearched_, {}))
         moved.push_back({static_cast<std::uint32_t>(index), placedSurface(*residents_[index].object)});
-    const auto before = edges_.update(moved);
-    if (!before)
-        return;
+    if (const auto before = edges_.update(moved))
+        sendBorders(*before);
+}
+
+void GpuScene::setFriends(const std::vector<std::uint8_t>& sides)
+{
+    if (const auto before = edges_.setFriends(sides))
+        sendBorders(*before);
+}
+
+void GpuScene::sendBorders(const BorderTables& before)
+{
     const BorderTables& after = edges_.tables();
-    sendChanges(borderSides_, BINDING_BORDER_SIDES, before->sides, after.sides);
-    sendChanges(borderCorners_, BINDING_BORDER_CORNERS, before->corners, after.corners);
-    sendChanges(borderPieces_, BINDING_BORDER_PIECES, before->pieces, after.pieces);
-    sendChanges(borderUses_, BINDING_BORDER_USES, before->uses, after.uses);
+    sendChanges(borderSides_, BINDING_BORDER_SIDES, before.sides, after.sides);
+    sendChanges(borderCorners_, BINDING_BORDER_CORNERS, before.corners, after.corners);
+    sendChanges(borderPieces_, BINDING_BORDER_PIECES, before.pieces, after.pieces);
+    sendChanges(borderUses_, BINDING_BORDER_USES, before.uses, after.uses);
 }
 
 void GpuScene::listMemory(std::vector<HeldMemory>& to) const

@@ -57,6 +57,8 @@ public:
     [[nodiscard]] bool isRebuilt() const { return rebuilt_; }  // see takeRebuilt()
     [[nodiscard]] const Box& bounds() const { return bounds_; }
     [[nodiscard]] const BorderTables& borders() const { return edges_.tables(); }
+    // Which border sides have a friend, as FriendSides says.
+    void setFriends(const std::vector<std::uint8_t>& sides);
     [[nodiscard]] const CoincidentEdges& edges() const { return edges_.edges(); }
     [[nodiscard]] Packing packing() const { return packing_; }
     void listMemory(std::vector<HeldMemory>& to) const;
@@ -83,6 +85,7 @@ private:
     template <class Test, class Send>
     static void sendRuns(const std::vector<Change>& changes, const Test& test, const Send& sendOne);
     void updateBorders();
+    void sendBorders(const BorderTables& before);
     void provide(Buffer& buffer, int binding, VkDeviceSize bytes);
     template <class T>
     void send(Buffer& buffer, int binding, const std::vector<T>& elements);

@@ -52,6 +52,32 @@ std::optional<BorderTables> SharedEdges::update(const std::vector<CoincidentEdge
     return before;
 }
 
+std::optional<BorderTables> SharedEdges::setFriends(const std::vector<std::uint8_t>& sides)
+{
+    if (sides == friends_)
+        return std::nullopt;
+    BorderTables before = tables_;
+    friends_ = sides;
+    markFriends();
+    return before;
+}
+
+void SharedEdges::markFriends()
+{
+    const bool told = friends_.size() == edges_.sideCount();
+    const auto isFriend = [&](std::uint32_t side) { return friends_[side] != 0; };
+    for (std::uint32_t side = 0; side < edges_.sideCount(); ++side) {
+        const CoincidentEdge* const edge = edges_.edgeAlong(side);
+        const bool friendly =
+            !told             ? edge != nullptr
+            : edge != nullptr ? std::all_of(edge->members.begin(), edge->members.end(),
+                                            [&](const EdgeMember& member) { return isFriend(member.side); })
+                              : isFriend(side);
+        tables_.sides[side].flags &= ~BORDER_FRIEND;
+        tables_.sides[side].flags |= friendly ? BORDER_FRIEND : 0U;
+    }
+}
+
 void SharedEdges::makeTables()
 {
     tables_ = {};
@@ -80,6 +106,7 @@ void SharedEdges::makeTables()
             addPieces(side, *edge, found->second);
         }
     }
+    markFriends();
 }
 
 // Those of an edge's pieces, one behind the other.

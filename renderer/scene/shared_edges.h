@@ -24,17 +24,23 @@ public:
     // where no border moved: they stay as they are.
     std::optional<BorderTables> update(const std::vector<CoincidentEdges::Change>& changes);
 
+    // Which sides have a friend (friend_sides.h). An edge counts as friendly where all its sides do; before
+    // this is told, where anybody shares it. Returns as update() does.
+    std::optional<BorderTables> setFriends(const std::vector<std::uint8_t>& sides);
+
     [[nodiscard]] const BorderTables& tables() const { return tables_; }
     [[nodiscard]] const CoincidentEdges& edges() const { return edges_; }
 
 private:
     void makeTables();
+    void markFriends();
     void addPieces(std::uint32_t side, const CoincidentEdge& edge, std::uint32_t firstUse);
     void addUses(const CoincidentEdge& edge);
 
     CoincidentEdges edges_;
     std::vector<std::uint32_t> names_;  // 4 KSQuad + side, by border side
     BorderTables tables_;
+    std::vector<std::uint8_t> friends_;  // by side; empty: not told
 };
 
 }  // namespace knotspan

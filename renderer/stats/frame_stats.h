@@ -40,6 +40,8 @@ struct FrameStats {
     std::uint64_t triangles = 0;
     std::optional<std::uint64_t> trianglesCulled;  // of those, before they were rasterized (evs)
     std::uint64_t evaluations = 0;                 // surface points evaluated to place vertices
+    // Along borders that are not oversampled because a friend lies there; of rules that look at friends.
+    std::optional<std::uint64_t> samplesSaved;
     // Of the path mesh: its mesh groups, and which share of their threads' turns made a vertex.
     std::optional<std::uint64_t> meshGroups;
     std::optional<double> busyLanes;

@@ -40,7 +40,8 @@
 #define BINDING_SHOWN_SHELLS 35  // for each shell, whether only the outside of its surfaces is shown
 #define BINDING_VERDICTS 36      // for each KSQuad, what a culling camera that stands still said of it
 #define BINDING_LISTS 37         // how many groups work on the lists of visible and of asking KSQuads
-#define BINDING_COUNT 38
+#define BINDING_EDGE_LINES 38        // parts of KSQuad sides that are drawn as lines
+#define BINDING_COUNT 39
 
 // Specialization constants.
 #define KNOTSPAN_LINES_CONSTANT 0      // of the overlays: lines, not points
@@ -54,6 +55,7 @@
 #define SCAN_THREADS 128
 #define PYRAMID_TEXELS 64
 #define OUTLINE_SEGMENTS 8u  // lines along each side of a rejected KSQuad
+#define EDGE_LINE_SEGMENTS 32  // pieces of a line along a KSQuad side
 #define LIST_KSQUADS 64   // KSQuads of a list that a group of sampling.comp or tile_count.comp looks at
 #define GEOMETRY_SIDE 5   // cells along a side of a tile of the path geometry
 #define GEOMETRY_VERTICES (2 * GEOMETRY_SIDE * (GEOMETRY_SIDE + 1))

@@ -39,7 +39,7 @@ float shortestStep(KNOTSPAN_SOURCE BorderSide border)
     for (uint k = 0u; k < border.flags >> BORDER_COUNT_SHIFT; ++k) {
         float length = KNOTSPAN_BORDER_PIECE(border.other + k).end - KNOTSPAN_BORDER_PIECE(border.other + k).start;
         KNOTSPAN_PRECISE float step =
-            length / float(cellsOfPiece KNOTSPAN_OF_SOURCE(KNOTSPAN_PASS_SOURCE border.other + k));
+            length / float(cellsOfPiece KNOTSPAN_OF_SOURCE(KNOTSPAN_PASS_SOURCE border.other + k, border.flags));
         shortest = min(shortest, step);
     }
     return shortest;
@@ -67,7 +67,7 @@ DrawnGrid drawnGrid(KNOTSPAN_SOURCE uint ksquad, uint snap)
         bool oversampled = false;
         if (innerNeighbour(place, ksquad, side) == NO_SIDE) {
             BorderSide border = KNOTSPAN_BORDER_SIDE(borderSideIndex(place, side));
-            oversampled = KNOTSPAN_OVERSAMPLES(border.flags & BORDER_KIND);
+            oversampled = KNOTSPAN_OVERSAMPLES(border.flags);
             if ((border.flags & BORDER_KIND) == BORDER_PIECES)
                 grid.divided |= 1u << side;
             if ((border.flags & BORDER_KIND) == BORDER_PIECES && snap != SNAP_RING) {
@@ -120,7 +120,7 @@ uint snappedToPieces(KNOTSPAN_SOURCE BorderSide border, uint k, uint cells, bool
     uint before = 0u;
     uint last = border.other + (border.flags >> BORDER_COUNT_SHIFT) - 1u;
     for (uint piece = border.other;; ++piece) {
-        uint here = cellsOfPiece KNOTSPAN_OF_SOURCE(KNOTSPAN_PASS_SOURCE piece);
+        uint here = cellsOfPiece KNOTSPAN_OF_SOURCE(KNOTSPAN_PASS_SOURCE piece, border.flags);
         float start = KNOTSPAN_BORDER_PIECE(piece).start;
         float end = KNOTSPAN_BORDER_PIECE(piece).end;
         if (k == cells && piece == last)

@@ -128,9 +128,9 @@ uint askedAlong(KNOTSPAN_SOURCE uint side)
     return cellsAlong(KNOTSPAN_GRID(side / 4u), side & 3u);
 }
 
-// Cells of a piece of a divided side.
+// Cells of a piece of a divided side with these flags.
 KNOTSPAN_SCENE_TEMPLATE
-uint cellsOfPiece(KNOTSPAN_SOURCE uint piece)
+uint cellsOfPiece(KNOTSPAN_SOURCE uint piece, KNOTSPAN_UNUSED uint flags)
 {
     uint first = KNOTSPAN_BORDER_PIECE(piece).firstUse;
     uint count = KNOTSPAN_BORDER_PIECE(piece).useCount;
@@ -143,7 +143,7 @@ uint cellsOfPiece(KNOTSPAN_SOURCE uint piece)
         cells = max(cells, uint(ceil(asked)));
         least = min(least, share);
     }
-    cells = KNOTSPAN_OVERSAMPLES(BORDER_PIECES) ? 2u * cells : cells;
+    cells = KNOTSPAN_OVERSAMPLES(flags) ? 2u * cells : cells;
     return min(cells, max(uint(FINEST_PIECE * least), 1u));
 }
 
@@ -162,12 +162,12 @@ uint edgeCells(KNOTSPAN_SOURCE SurfacePlace place, uint ksquad, uint side)
     if (kind == BORDER_PIECES) {
         cells = 0u;
         for (uint k = 0u; k < border.flags >> BORDER_COUNT_SHIFT; ++k)
-            cells += cellsOfPiece KNOTSPAN_OF_SOURCE(KNOTSPAN_PASS_SOURCE border.other + k);
+            cells += cellsOfPiece KNOTSPAN_OF_SOURCE(KNOTSPAN_PASS_SOURCE border.other + k, border.flags);
         return cells;
     }
     if (kind == BORDER_WHOLE)
         cells = max(cells, askedAlong KNOTSPAN_OF_SOURCE(KNOTSPAN_PASS_SOURCE border.other));
-    return KNOTSPAN_OVERSAMPLES(kind) ? 2u * cells : cells;
+    return KNOTSPAN_OVERSAMPLES(border.flags) ? 2u * cells : cells;
 }
 
 KNOTSPAN_INLINE GridVertex vertexFrom(KNOTSPAN_FLOAT2 t, uint source, KNOTSPAN_FLOAT2 sourceT)
@@ -191,11 +191,11 @@ PieceStep pieceStep(KNOTSPAN_SOURCE BorderSide border, uint k)
 {
     uint last = border.other + (border.flags >> BORDER_COUNT_SHIFT) - 1u;
     uint piece = border.other;
-    uint cells = cellsOfPiece KNOTSPAN_OF_SOURCE(KNOTSPAN_PASS_SOURCE piece);
+    uint cells = cellsOfPiece KNOTSPAN_OF_SOURCE(KNOTSPAN_PASS_SOURCE piece, border.flags);
     while (k >= cells && piece < last) {
         k -= cells;
         ++piece;
-        cells = cellsOfPiece KNOTSPAN_OF_SOURCE(KNOTSPAN_PASS_SOURCE piece);
+        cells = cellsOfPiece KNOTSPAN_OF_SOURCE(KNOTSPAN_PASS_SOURCE piece, border.flags);
     }
     PieceStep at;
     at.piece = piece;

@@ -50,7 +50,7 @@
 #define KNOTSPAN_BORDER_USE(index) source.borderUse(index)
 #define KNOTSPAN_FACING_WORD(index) source.facingWord(index)
 #define KNOTSPAN_FACING_BOX(index) source.facingBox(index)
-#define KNOTSPAN_OVERSAMPLES(kind) false
+#define KNOTSPAN_OVERSAMPLES(flags) false
 #define KNOTSPAN_OF_REAL <Real>
 #define KNOTSPAN_OF_SOURCE <Source>
 #define KNOTSPAN_FLOAT2 vec2
@@ -102,8 +102,8 @@ using glm::vec4;
 #define KNOTSPAN_BORDER_USE(index) borderUses[index]
 #define KNOTSPAN_FACING_WORD(index) facingWords[index]
 #define KNOTSPAN_FACING_BOX(index) facingBoxOf(facing[index])
-#define KNOTSPAN_OVERSAMPLES(kind) \
-    ((frame.flags & ((kind) == BORDER_OPEN ? FRAME_OVERSAMPLE_OPEN : FRAME_OVERSAMPLE_SHARED)) != 0u)
+#define KNOTSPAN_OVERSAMPLES(flagsOfBorder) \
+    ((frame.flags & (((flagsOfBorder) & BORDER_FRIEND) == 0u ? FRAME_OVERSAMPLE_STRANGERS : FRAME_OVERSAMPLE_FRIENDS)) != 0u)
 #define KNOTSPAN_OF_REAL
 #define KNOTSPAN_OF_SOURCE
 #define KNOTSPAN_FLOAT2 vec2

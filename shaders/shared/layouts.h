@@ -13,8 +13,8 @@ namespace knotspan::gpu {
 #define FRAME_CAPTURE 2u
 #define FRAME_ORTHOGRAPHIC 4u
 #define FRAME_SPANS 16u         // t of a pixel counts the spans of its whole surface
-#define FRAME_OVERSAMPLE_OPEN 32u    // borders of surfaces that nobody shares get twice as many cells
-#define FRAME_OVERSAMPLE_SHARED 64u  // and so do those that others lie along
+#define FRAME_OVERSAMPLE_STRANGERS 32u  // borders without a friend get twice as many cells (BORDER_FRIEND)
+#define FRAME_OVERSAMPLE_FRIENDS 64u    // and so do the others
 #define FRAME_EVEN_TILES 128u        // tiles start at even cells
 #define FRAME_WHOLE_TILES 256u       // a grid that fits is one tile, its ring included
 #define FRAME_NOTE_VERDICTS 512u      // culling notes what it says of each KSQuad (verdicts.glsl)
@@ -94,6 +94,7 @@ struct BorderSide {
 #define BORDER_KIND 3u       // the bits of those
 #define BORDER_REVERSED 4u   // BORDER_WHOLE: the other one runs the other way
 #define BORDER_OWNER 8u      // BORDER_WHOLE: the edge's vertices are this side's
+#define BORDER_FRIEND 16u    // all that lies along the edge meets smoothly there; the same for all its sides
 #define BORDER_COUNT_SHIFT 8u
 
 // A piece of a divided side, in the order of the side's t.
@@ -193,6 +194,7 @@ struct Counters {
     uint ksdice[2];
     uint triangles[2];
     uint evaluations[2];
+    uint samplesSaved[2];  // along borders that have a friend, and so are not oversampled
     uint trianglesCulled[2];  // of `triangles`, by evs
     uint wronglyCulled[KNOTSPAN_CULL_MODE_COUNT];  // of culled: what shows (wrong_culls.comp)
 };
@@ -266,6 +268,16 @@ struct ObjectVertex {
     float weight;  // of the KSQuad at t
 };
 
+// A part of a KSQuad's side that is drawn as a line.
+struct EdgeLineRecord {
+    uint ksquad;
+    uint side;  // SIDE_...
+    float from;  // the side's t
+    float to;
+    uint colour;      // 0xRRGGBB
+    float halfWidth;  // pixels
+};
+
 // Push constants of the overlays.
 struct OverlayConstants {
     vec4 colour;
@@ -284,7 +296,7 @@ static_assert(sizeof(GridRecord) == 8 && sizeof(TileRecord) == 24);
 static_assert(sizeof(KsQuadRecord) == 16 && sizeof(CapturedRecord) == 56);
 static_assert(sizeof(RequestRecord<float>) == 12 && sizeof(RequestRecord<double>) == 24);
 static_assert(sizeof(EvaluatedRecord<float>) == 48 && sizeof(EvaluatedRecord<double>) == 96);
-static_assert(sizeof(WaveRecord) == 32);
+static_assert(sizeof(WaveRecord) == 32 && sizeof(EdgeLineRecord) == 24);
 static_assert(sizeof(IndexedDrawRecord) == 20 && sizeof(VertexRecord) == 56 && sizeof(ObjectVertex) == 44);
 static_assert(sizeof(DrawRecord) == 16 && sizeof(OverlayConstants) == 36);
 }  // namespace knotspan::gpu

@@ -27,6 +27,7 @@ protected:
     {
         const std::string out = folder / "out";
         expectFailure({"info", path}, path.string());
+        expectFailure({"analyze", path}, path.string());
         expectFailure({"convert", path, out + "/out.knotspan"}, path.string());
         expectFailure({"evaluate", path, "--surface", "0", "--at", "0,0"}, path.string());
         expectFailure({"render", path, "-o", out + "/out.png", "--stats", out + "/out.json"}, path.string());

@@ -152,7 +152,7 @@ TEST_F(RenderCommand, RefusesWrongCalls)
                                                {"--count-wrong"},
                                                {"--device", "-1"},
                                                {"--device", "banana"},
-                                               {"--friends"}}) {
+                                               {"--friends", "G1"}}) {
         std::vector<std::string> call = good;
         call.insert(call.end(), more.begin(), more.end());
         expectWrongCall(call);
@@ -196,4 +196,15 @@ TEST_F(RenderCommand, WritesNothingWhereItFails)
                   folder / "absent/s.json");
     expectFailure({"render", model, "-o", picture, "--size", "32x32", "--device", "99"}, "99");
     EXPECT_TRUE(fs::is_empty(folder / "out"));
+}
+
+// What colours they have: tests/ui/friends_panel_test.cpp.
+TEST_F(RenderCommand, DrawsFriendEdgesWhereAsked)
+{
+    needDevice();
+    if (IsSkipped())
+        return;
+    const std::string bare = render({});
+    EXPECT_NE(render({"--friends"}), bare);
+    EXPECT_EQ(render({}), bare);
 }

@@ -94,19 +94,55 @@ TEST(TessellationAdaptive, MeetsItsNeighboursInTheSameBits)
     }
 }
 
-// RPNS eq. 5: without friends the borders that surfaces share are oversampled, too.
+// RPNS eq. 5: without friends the borders where surfaces meet smoothly are oversampled, too.
 TEST(TessellationAdaptive, OversamplesSharedBordersOnlyWithoutFriends)
 {
     KNOTSPAN_NEED_RENDERER(renderer);
     KNOTSPAN_NEED_PATH(*renderer, PathId::tessellationAdaptive);
-    const Scene scene = findSample("nine-16")->make();
+    const Scene scene = findSample("hull")->make();
     Frame frame = frameOf(scene, PathId::tessellationAdaptive);
     frame.sampling = {SamplingRule::Kind::area, 0};
     const FrameStats friends = drawn(*renderer, scene, frame).stats;
     frame.sampling = {SamplingRule::Kind::areaNoFriends, 0};
     const FrameStats none = drawn(*renderer, scene, frame).stats;
     EXPECT_GT(none.triangles, friends.triangles);
+    // nine-16's surfaces share all their borders, and meet at angles: none is a friend.
+    const Scene creases = findSample("nine-16")->make();
+    const FrameStats all = drawn(*renderer, creases, frame).stats;
+    frame.sampling = {SamplingRule::Kind::area, 0};
+    EXPECT_EQ(drawn(*renderer, creases, frame).stats.triangles, all.triangles);
     EXPECT_EQ(none.sampling, "area-no-friends");
+}
+
+// One row of nine-16's control points pulled: its neighbours no longer meet it smoothly, though they still
+// touch.
+TEST(TessellationAdaptive, OversamplesBordersWhereSurfacesMeetInACrease)
+{
+    KNOTSPAN_NEED_RENDERER(renderer);
+    KNOTSPAN_NEED_PATH(*renderer, PathId::tessellationAdaptive);
+    Scene scene = findSample("hull")->make();
+    Frame frame = frameOf(scene, PathId::tessellationAdaptive);
+    frame.sampling = {SamplingRule::Kind::area, 0};
+    const FrameStats smooth = drawn(*renderer, scene, frame).stats;
+    ASSERT_TRUE(smooth.samplesSaved);
+    EXPECT_GT(*smooth.samplesSaved, 0U);
+    const auto [id, object] = *scene.objects().begin();
+    std::vector<ControlPoint> points = object->surface.controlPoints();
+    const int countU = object->surface.countU();
+    const int countV = object->surface.countV();
+    for (int i = 1; i + 1 < countU; ++i)
+        for (int j = 1; j + 1 < countV; ++j)
+            points[static_cast<size_t>(i * countV + j)].position.z += 0.05 * object->bounds().diagonal();
+    SceneObject pulled = *object;
+    pulled.surface =
+        NurbsSurface::create(object->surface.knotsU(), object->surface.knotsV(), std::move(points)).value();
+    scene.exchange(id, std::make_shared<const SceneObject>(std::move(pulled)));
+    const FrameStats creased = drawn(*renderer, scene, frame).stats;
+    ASSERT_TRUE(creased.samplesSaved);
+    EXPECT_LT(*creased.samplesSaved, *smooth.samplesSaved);
+    EXPECT_GT(*creased.samplesSaved, 0U);  // among the others nothing changed
+    frame.sampling = {SamplingRule::Kind::areaNoFriends, 0};
+    EXPECT_FALSE(drawn(*renderer, scene, frame).stats.samplesSaved);
 }
 
 TEST(TessellationAdaptive, AloneKnowsTheRuleWithoutFriends)

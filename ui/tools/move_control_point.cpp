@@ -24,9 +24,30 @@ ToolAnswer MoveControlPoint::press(const ToolContext& context, const ToolPointer
     const SharedObject object = point ? context.document.scene().find(point->object) : nullptr;
     if (!object)
         return ToolAnswer::pass;
-    context.selection.setControlPoint(point);
-    drag_ = Drag{*point, pointer.position, controlPointInModel(*object, point->index)};
+    context.selection.setControlPoint(point, object.get());
+    context.hint({});
+    drag_ = Drag{};
+    drag_->point = *point;
+    drag_->pressed = pointer.position;
+    drag_->start = controlPointInModel(*object, point->index);
+    drag_->keepsFriends = context.settings.keepFriends;
     return ToolAnswer::keep;
+}
+
+Result<Edit> MoveControlPoint::editTo(const ToolContext& context, const SceneObject& object,
+                                      const Vec3& position)
+{
+    const PickedControlPoint& point = drag_->point;
+    if (drag_->keepsFriends && !drag_->friends)
+        drag_->friends.emplace(context.document.scene(), context.settings.friends);
+    if (drag_->friends)
+        return drag_->friends->pull({{point.object, point.index, position}});
+    Result<SharedObject> changed = withControlPointAt(object, point.index, position);
+    if (!changed)
+        return tl::unexpected(changed.error());
+    Edit edit;
+    edit.set(point.object, std::move(*changed));
+    return edit;
 }
 
 ToolAnswer MoveControlPoint::move(const ToolContext& context, const ToolPointer& pointer)
@@ -41,19 +62,27 @@ ToolAnswer MoveControlPoint::move(const ToolContext& context, const ToolPointer&
     const Camera& camera = context.camera;
     const double unit = camera.unitsPerPixel(drag_->start, context.height);
     const Vec3 position = drag_->start + (camera.right() * way.x - camera.upward() * way.y) * unit;
-    Result<SharedObject> changed = withControlPointAt(*object, drag_->point.index, position);
-    if (!changed)
-        return ToolAnswer::keep;  // too far out for a number: stays where it was
-    Edit edit;
-    edit.set(drag_->point.object, std::move(*changed));
-    context.document.apply(edit, QObject::tr("Move control point"), context.gesture);
+    const Result<Edit> edit = editTo(context, *object, position);
+    const QString refusal = edit ? QString() : QString::fromStdString(edit.error().sentence());
+    if (refusal != drag_->refusal)
+        context.hint(refusal);
+    drag_->refusal = refusal;
+    if (!edit)
+        return ToolAnswer::keep;  // stays where it was
+    drag_->applied = true;
+    context.document.apply(*edit, QObject::tr("Move control point"), context.gesture);
     return ToolAnswer::keep;
 }
 
-ToolAnswer MoveControlPoint::release(const ToolContext&, const ToolPointer&)
+ToolAnswer MoveControlPoint::release(const ToolContext& context, const ToolPointer&)
 {
+    const bool cameToNothing = !drag_->applied && !drag_->refusal.isEmpty();
+    if (cameToNothing) {
+        context.hint({});
+        context.trouble(drag_->refusal);
+    }
     drag_.reset();
-    return ToolAnswer::commit;
+    return cameToNothing ? ToolAnswer::revert : ToolAnswer::commit;
 }
 
 void MoveControlPoint::click(const ToolContext& context, const ToolPointer& pointer)

@@ -19,6 +19,13 @@ bool isIn(const Scene& scene, const PickedControlPoint& point)
     return object && point.index.i < object->surface.countU() && point.index.j < object->surface.countV();
 }
 
+bool hasOtherNet(const Scene& scene, const PickedControlPoint& point,
+                 const std::optional<std::pair<int, int>>& net)
+{
+    const NurbsSurface& surface = scene.find(point.object)->surface;
+    return net && *net != std::pair(surface.countU(), surface.countV());
+}
+
 }  // namespace
 
 void Selection::setObjects(std::set<ObjectId> objects)
@@ -31,8 +38,11 @@ void Selection::setObjects(std::set<ObjectId> objects)
     Q_EMIT changed();
 }
 
-void Selection::setControlPoint(const Point& point)
+void Selection::setControlPoint(const Point& point, const SceneObject* of)
 {
+    net_.reset();
+    if (of != nullptr)
+        net_ = {of->surface.countU(), of->surface.countV()};
     if (same(point, controlPoint_))
         return;
     controlPoint_ = point;
@@ -67,7 +77,7 @@ void Selection::keepOnly(const Scene& scene)
             kept.insert(id);
     if (hovered_ && !isIn(scene, *hovered_))
         setHovered({});
-    if (controlPoint_ && !isIn(scene, *controlPoint_))
+    if (controlPoint_ && (!isIn(scene, *controlPoint_) || hasOtherNet(scene, *controlPoint_, net_)))
         setControlPoint({});
     setObjects(std::move(kept));
 }

@@ -23,8 +23,9 @@ public:
     [[nodiscard]] const std::optional<PickedControlPoint>& hovered() const { return hovered_; }
 
     void setObjects(std::set<ObjectId> objects);
-    // Its object becomes selected too.
-    void setControlPoint(const std::optional<PickedControlPoint>& point);
+    // Its object becomes selected too. Where `of`, the object as it is, is given, the point is let go as soon
+    // as the object's net has another shape: its index then names another point.
+    void setControlPoint(const std::optional<PickedControlPoint>& point, const SceneObject* of = nullptr);
     void setHovered(const std::optional<PickedControlPoint>& point);
     void clear();
 
@@ -35,8 +36,11 @@ Q_SIGNALS:
     void changed();  // any of the three
 
 private:
+    using NetShape = std::pair<int, int>;
+
     std::set<ObjectId> objects_;
     std::optional<PickedControlPoint> controlPoint_;
+    std::optional<NetShape> net_;  // of its object
     std::optional<PickedControlPoint> hovered_;
 };
 

@@ -7,6 +7,7 @@
 #include <Qt>
 
 #include "model/document/document.h"
+#include "model/friends/friends.h"
 #include "ui/tools/selection.h"
 
 namespace knotspan {
@@ -23,6 +24,14 @@ struct ToolPointer {
     Qt::KeyboardModifiers modifiers;
 };
 
+// What the user has told the tools; kept beyond the session by the window.
+struct ToolSettings {
+    bool keepFriends = false;  // drags take the control points of friends along, so that edges stay smooth
+    FriendTolerances friends;  // who is a friend; the window's Friends, where it has them, know better
+
+    [[nodiscard]] bool operator==(const ToolSettings&) const = default;
+};
+
 struct ToolContext {
     Document& document;
     Selection& selection;
@@ -32,6 +41,11 @@ struct ToolContext {
     double pixelRatio = 1;  // pixels of the picture in one of the hand's
     int gesture = 0;        // for Document::apply()
     std::function<Pick(const Vec2&)> pick;
+    ToolSettings settings = {};
+    // Says something beside the picture while the hand is busy; empty: nothing more.
+    std::function<void(const QString&)> hint = [](const QString&) {};
+    // Says why nothing came of a gesture. Only as it ends: the picture may give way to the sentence.
+    std::function<void(const QString&)> trouble = [](const QString&) {};
 };
 
 class Tool {

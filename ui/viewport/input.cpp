@@ -58,6 +58,9 @@ ToolContext Input::context() const
 {
     const PictureSize size = viewport_.pictureSize();
     const double ratio = viewport_.presenter_->pixelRatio();
+    ToolSettings settings = viewport_.toolSettings_;
+    if (viewport_.friends_ != nullptr)
+        settings.friends = viewport_.friends_->friends().tolerances();
     return {viewport_.document_,
             viewport_.selection_,
             viewport_.frame_.camera,
@@ -65,7 +68,10 @@ ToolContext Input::context() const
             size.height,
             ratio,
             gesture_,
-            [this, ratio](const Vec2& position) { return viewport_.pick(position, kPickRadiusPx * ratio); }};
+            [this, ratio](const Vec2& position) { return viewport_.pick(position, kPickRadiusPx * ratio); },
+            settings,
+            [this](const QString& sentence) { Q_EMIT viewport_.hint(sentence); },
+            [this](const QString& sentence) { Q_EMIT viewport_.failed(sentence); }};
 }
 
 bool Input::press(const QMouseEvent& event)
@@ -155,6 +161,7 @@ bool Input::cancel()
     if (drag_ != Drag::tool)
         return false;
     follow(ToolAnswer::revert);
+    Q_EMIT viewport_.hint({});
     showCursor();
     return true;
 }

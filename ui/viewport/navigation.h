@@ -22,4 +22,8 @@ struct PictureSize {
 // `steps` notches of a wheel closer (negative: away); what is under the cursor, at the target's depth, stays.
 [[nodiscard]] Camera zoomed(Camera camera, double steps, const Vec2& cursor, const PictureSize& size);
 
+// Looks at the point, which is then in the middle, and at `units` around it; from where it was, or, where the
+// surface there would be seen from behind or from its edge, against `outward` (zero: nobody knows).
+[[nodiscard]] Camera closeTo(Camera camera, const Vec3& point, double units, const Vec3& outward);
+
 }  // namespace knotspan

@@ -113,6 +113,12 @@ void Viewport::setFrame(const Frame& frame)
     requestDraw();
 }
 
+void Viewport::setToolSettings(const ToolSettings& settings)
+{
+    toolSettings_ = settings;
+    Q_EMIT toolSettingsChanged();
+}
+
 void Viewport::setCamera(const Camera& camera)
 {
     viewPending_ = false;
@@ -142,6 +148,18 @@ void Viewport::fitSelection()
             selected.exchange(id, object);
     const Scene& shown = selected.objects().empty() ? document_.scene() : selected;
     setCamera(fitted(frame_.camera, shown.controlPoints(), pictureSize().aspect()));
+}
+
+void Viewport::setFriends(ShownFriends& friends)
+{
+    friends_ = &friends;
+    connect(&friends, &ShownFriends::changed, this, &Viewport::requestDraw);
+    requestDraw();
+}
+
+void Viewport::zoomTo(const Vec3& point, double units, const Vec3& outward)
+{
+    setCamera(closeTo(frame_.camera, point, units, outward));
 }
 
 bool Viewport::cancelDrag()

@@ -10,6 +10,7 @@
 #include "ui/tools/tool.h"
 #include "ui/viewport/navigation.h"
 #include "ui/viewport/presenter.h"
+#include "ui/viewport/shown_friends.h"
 
 class QLabel;
 class QStackedLayout;
@@ -36,10 +37,20 @@ public:
     void setFrame(const Frame& frame);
     void setCamera(const Camera& camera);
 
+    [[nodiscard]] const ToolSettings& toolSettings() const { return toolSettings_; }
+    // Counts from the next press on.
+    void setToolSettings(const ToolSettings& settings);
+
     // A named view of everything, or of the selected objects. With no renderer the camera moves all the same.
     void look(std::string_view view);
     void fit();
     void fitSelection();
+
+    // Draws what it has to show, from now on; it outlives the viewport.
+    void setFriends(ShownFriends& friends);
+    // Goes to a point of the model, so that about `units` around it fill the picture, and turns so far that
+    // one looks against `outward`; a zero vector: not at all.
+    void zoomTo(const Vec3& point, double units, const Vec3& outward);
 
     // Takes a running drag back; false where none ran.
     bool cancelDrag();
@@ -60,6 +71,9 @@ Q_SIGNALS:
     void preparing();
     void frameDrawn(const knotspan::FrameStats& stats);
     void rendererChanged();
+    void toolSettingsChanged();
+    // What a tool has to say while the hand is busy; empty: nothing more.
+    void hint(const QString& sentence);
     void failed(const QString& sentence);
 
 protected:
@@ -78,7 +92,9 @@ private:
 
     Document& document_;
     Selection& selection_;
+    ShownFriends* friends_ = nullptr;
     Frame frame_;
+    ToolSettings toolSettings_;
     bool drawPending_ = false;
     bool scenePending_ = true;
     bool viewPending_ = true;    // look at the whole model as soon as the picture has a size

@@ -55,6 +55,8 @@ Result<void> Viewport::draw()
     frame.width = size.width;
     frame.height = size.height;
     addSelectionTo(frame.overlays);
+    if (friends_ != nullptr)
+        frame.overlays.edgeLines = friends_->lines();
     const bool isPrepared = !prepared_.insert(frame.path).second;
     if (!isPrepared)
         QGuiApplication::setOverrideCursor(Qt::WaitCursor);

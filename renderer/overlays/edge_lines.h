@@ -1,0 +1,40 @@
+// Lines along the borders of surfaces, evaluated on the device: what travels is which part of which side of a
+// KSQuad has which colour, and only where that changed.
+#pragma once
+
+#include <map>
+
+#include "renderer/frame.h"
+#include "renderer/scene/gpu_scene.h"
+
+namespace knotspan {
+
+class EdgeLines {
+public:
+    EdgeLines(const Device& device, Bindings& bindings, Uploader& uploader)
+        : device_(device),
+          bindings_(bindings),
+          uploader_(uploader)
+    {
+    }
+
+    // With stages for `specialization`, whose evaluator and order are the scene's. Without lines nothing is
+    // made and nothing sent.
+    void prepare(const std::vector<EdgeLine>& lines, const std::vector<Resident>& residents,
+                 const Specialization& specialization);
+    // What was written may not have arrived.
+    void forget() { held_.clear(); }
+    // Inside a rendering, with viewport and bindings set: what prepare() was given.
+    void draw(VkCommandBuffer commands) const;
+
+private:
+    const Device& device_;
+    Bindings& bindings_;
+    Uploader& uploader_;
+    std::map<Specialization, Pipeline> pipelines_;  // made when first needed
+    Specialization specialization_;
+    Buffer buffer_;
+    std::vector<gpu::EdgeLineRecord> held_;  // what the device has
+};
+
+}  // namespace knotspan

@@ -1,0 +1,23 @@
+// Which border sides of KSQuads have a friend all along: another border that they meet at least G1
+// (model/friends). Rules that oversample borders leave those out (RPNS, eq. 5).
+#pragma once
+
+#include "model/friends/friends.h"
+#include "renderer/scene/packed_scene.h"
+
+namespace knotspan {
+
+class FriendSides {
+public:
+    // Looks again at what moved. By border side, as border_curves.h numbers them: 1 or 0.
+    const std::vector<std::uint8_t>& of(const std::vector<Resident>& residents);
+
+private:
+    bool follow(const std::vector<Resident>& residents);
+
+    Friends friends_;
+    std::vector<SharedObject> held_;
+    std::vector<std::uint8_t> sides_;
+};
+
+}  // namespace knotspan

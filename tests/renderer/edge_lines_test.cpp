@@ -1,0 +1,139 @@
+// Lines along the borders of surfaces: where they are, what hides them, and that they cost nothing without.
+#include <algorithm>
+
+#include "model/samples/sample_list.h"
+#include "tests/renderer/render_support.h"
+
+namespace knotspan::testing {
+namespace {
+
+constexpr std::uint32_t kOrange = 0xe69f00;
+
+size_t pixelsOf(const Picture& picture, std::uint32_t colour)
+{
+    size_t count = 0;
+    for (size_t k = 0; k < picture.rgba.size(); k += 4) {
+        const auto near = [&](size_t channel, std::uint32_t wanted) {
+            return std::abs(int(picture.rgba[k + channel]) - int(wanted & 255U)) <= 1;
+        };
+        count += near(0, colour >> 16U) && near(1, colour >> 8U) && near(2, colour) ? 1 : 0;
+    }
+    return count;
+}
+
+bool isNear(const Picture& picture, const Vec2& at, std::uint32_t colour)
+{
+    for (int y = int(at.y) - 2; y <= int(at.y) + 2; ++y)
+        for (int x = int(at.x) - 2; x <= int(at.x) + 2; ++x) {
+            if (x < 0 || y < 0 || x >= picture.width || y >= picture.height)
+                continue;
+            const size_t k =
+                4 * (static_cast<size_t>(y) * static_cast<size_t>(picture.width) + static_cast<size_t>(x));
+            if (picture.rgba[k] == (colour >> 16U) && picture.rgba[k + 1] == ((colour >> 8U) & 255U) &&
+                picture.rgba[k + 2] == (colour & 255U))
+                return true;
+        }
+    return false;
+}
+
+class EdgeLineTest : public ::testing::TestWithParam<PathId> {
+protected:
+    void SetUp() override
+    {
+        if (sharedRenderer() == nullptr)
+            GTEST_SKIP() << "no Vulkan device here";
+        KNOTSPAN_NEED_PATH(*sharedRenderer(), GetParam());
+        frame = frameOf(scene, GetParam(), 240, 180);
+    }
+
+    Scene scene = findSample("single-100")->make();
+    ObjectId id = scene.objects().begin()->first;
+    Frame frame;
+};
+
+TEST_P(EdgeLineTest, LieOnTheSidesAndPartsThatWereAskedFor)
+{
+    const NurbsSurface& surface = scene.find(id)->surface;
+    const double end = surface.knotsU().domainEnd();
+    const double start = surface.knotsU().domainStart();
+    frame.overlays.edgeLines = {{id, Side::startV, start, (start + end) / 2, kOrange, 3}};
+    const Picture picture = drawn(*sharedRenderer(), scene, frame).picture;
+    EXPECT_GT(pixelsOf(picture, kOrange), 50U);
+    const int rows = surface.countU();
+    const auto pixelOf = [&](int i, int j) {
+        return frame.camera.toPixel(controlPointInModel(*scene.find(id), {i, j}), frame.width, frame.height)
+            .value();
+    };
+    EXPECT_TRUE(isNear(picture, pixelOf(0, 0), kOrange));
+    EXPECT_FALSE(isNear(picture, pixelOf(rows - 1, 0), kOrange));
+    EXPECT_FALSE(isNear(picture, pixelOf(0, surface.countV() - 1), kOrange));
+    for (const Side side : {Side::startU, Side::endU, Side::startV, Side::endV}) {
+        frame.overlays.edgeLines = {{id, side, start, end, kOrange, 3}};
+        const Picture whole = drawn(*sharedRenderer(), scene, frame).picture;
+        const bool far1 = side == Side::endU;
+        const bool far2 = side == Side::endV;
+        EXPECT_TRUE(isNear(whole, pixelOf(far1 ? rows - 1 : 0, far2 ? surface.countV() - 1 : 0), kOrange));
+    }
+}
+
+// Of each way to pack a scene one.
+INSTANTIATE_TEST_SUITE_P(
+    Path, EdgeLineTest, ::testing::Values(PathId::tessellation, PathId::bezier, PathId::cpu),
+    [](const auto& test) {
+        std::string name = pathInfo(test.param).name;
+        name.erase(std::remove_if(name.begin(), name.end(), [](char c) { return c == '-'; }), name.end());
+        return name;
+    });
+
+TEST(EdgeLines, CostNothingWhereThereAreNone)
+{
+    KNOTSPAN_NEED_RENDERER(renderer);
+    const Scene scene = findSample("nine-16")->make();
+    const ObjectId id = scene.objects().begin()->first;
+    Frame frame = frameOf(scene, renderer->bestPath(), 160, 120);
+    const Picture bare = drawn(*renderer, scene, frame).picture;
+    EXPECT_EQ(renderer->draw(frame)->uploadBytesPerFrame, 0U);
+    Frame lined = frame;
+    lined.overlays.edgeLines = {{id, Side::startU, 0, 1, kOrange, 3}};
+    const auto first = renderer->draw(lined);
+    ASSERT_TRUE(first);
+    EXPECT_GT(pixelsOf(renderer->capture().value(), kOrange), 0U);
+    EXPECT_EQ(renderer->draw(lined)->uploadBytesPerFrame, 0U);  // nothing changed
+    const auto without = renderer->draw(frame);
+    ASSERT_TRUE(without);
+    EXPECT_EQ(without->uploadBytesPerFrame, 0U);
+    EXPECT_EQ(renderer->capture()->rgba, bare.rgba);
+}
+
+TEST(EdgeLines, AreHiddenByWhatIsInFront)
+{
+    KNOTSPAN_NEED_RENDERER(renderer);
+    Scene scene = findSample("single-100")->make();
+    const ObjectId id = scene.objects().begin()->first;
+    SceneObject lid = *scene.find(id);
+    lid.transform = Mat4(Vec4(3, 0, 0, 0), Vec4(0, 3, 0, 0), Vec4(0, 0, 1, 0), Vec4(0, 0, 20, 1));
+    Frame frame = frameOf(scene, renderer->bestPath(), 160, 120, "top");
+    frame.overlays.edgeLines = {{id, Side::startU, 0, 1, kOrange, 3}};
+    EXPECT_GT(pixelsOf(drawn(*renderer, scene, frame).picture, kOrange), 20U);
+    const Box bounds = scene.bounds();
+    lid.transform[3] = Vec4(bounds.centre() * -2.0, 1);
+    lid.transform[3].z = bounds.high.z - bounds.low.z + 1;
+    scene.add(lid);
+    frame.camera = frameOf(scene, frame.path, 160, 120, "top").camera;
+    EXPECT_EQ(pixelsOf(drawn(*renderer, scene, frame).picture, kOrange), 0U);
+}
+
+// An object that went, and parts outside the surface, are no lines.
+TEST(EdgeLines, ThatNameNothingAreLeftOut)
+{
+    KNOTSPAN_NEED_RENDERER(renderer);
+    const Scene scene = findSample("single-100")->make();
+    const ObjectId id = scene.objects().begin()->first;
+    Frame frame = frameOf(scene, renderer->bestPath(), 160, 120);
+    frame.overlays.edgeLines = {{ObjectId(99), Side::startU, 0, 1, kOrange, 3},
+                                {id, Side::startU, 1e6, 2e6, kOrange, 3}};
+    EXPECT_EQ(pixelsOf(drawn(*renderer, scene, frame).picture, kOrange), 0U);
+}
+
+}  // namespace
+}  // namespace knotspan::testing

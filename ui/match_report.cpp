@@ -1,0 +1,85 @@
+#include "ui/match_report.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include "model/matching/neighbours.h"
+
+namespace knotspan {
+
+namespace {
+
+struct Report {
+    Q_DECLARE_TR_FUNCTIONS(knotspan::MatchReport)
+};
+
+QString number(double value)
+{
+    return QString::number(value, 'g', 3);
+}
+
+QString length(double value, const Scene& scene)
+{
+    return number(value) + " " + QString::fromStdString(scene.units());
+}
+
+QString net(const NurbsSurface& surface)
+{
+    return QString("%1 × %2").arg(surface.countU()).arg(surface.countV());
+}
+
+QString rowsOf(const MatchedSurface& matched)
+{
+    const QString along = matched.across == Direction::U ? "u" : "v";
+    return matched.firstRow == matched.lastRow
+               ? Report::tr("row %1 of the control points along %2").arg(matched.firstRow + 1).arg(along)
+               : Report::tr("rows %1 to %2 of the control points along %3")
+                     .arg(matched.firstRow + 1)
+                     .arg(matched.lastRow + 1)
+                     .arg(along);
+}
+
+QString sideReport(const Scene& scene, ObjectId id, const MatchedSurface& matched)
+{
+    const QString name = QString::fromStdString(nameOf(scene, id));
+    const NurbsSurface& before = scene.find(id)->surface;
+    QStringList parts;
+    if (matched.lastRow < matched.firstRow)
+        parts << Report::tr("Nothing of %1 has to move.").arg(name);
+    else
+        parts << Report::tr("%1 moves by %2 at most (certainly no more than %3): %4.")
+                     .arg(name, length(matched.moved, scene), length(matched.movedMost, scene),
+                          rowsOf(matched));
+    const auto count = [](const NurbsSurface& surface) { return surface.countU() * surface.countV(); };
+    if (const int more = count(matched.surface) - count(before); more > 0)
+        parts << Report::tr("It gets %1 more control points, %2 in place of %3.")
+                     .arg(more)
+                     .arg(net(matched.surface), net(before));
+    return parts.join(' ');
+}
+
+}  // namespace
+
+QString edgeReport(const Scene& scene, const ObjectEdge& edge)
+{
+    const QString verdict = continuityName(edge.edge.continuity);
+    const QString gap = length(edge.edge.gapMax, scene);
+    if (edge.edge.continuity == Continuity::none)
+        return Report::tr("Now: apart, gap %1.").arg(gap);
+    return Report::tr("Now: %1, largest angle %2°, gap %3.").arg(verdict, number(edge.edge.angleMaxDeg), gap);
+}
+
+QString matchReport(const Scene& scene, const ObjectEdge& edge, const SceneMatch& match)
+{
+    const MatchProposal& proposal = match.proposal;
+    QStringList lines{Report::tr("Then: largest angle %1°, gap %2, curvatures differ by %3 per %4 at most.")
+                          .arg(number(proposal.angleDeg), length(proposal.gap, scene),
+                               number(proposal.curvature), QString::fromStdString(scene.units()))};
+    if (proposal.a)
+        lines << sideReport(scene, edge.a, *proposal.a);
+    if (proposal.b)
+        lines << sideReport(scene, edge.b, *proposal.b);
+    return lines.join('\n');
+}
+
+}  // namespace knotspan

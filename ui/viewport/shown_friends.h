@@ -1,0 +1,54 @@
+// What a window shows of the document's friends: lines over the model, and one edge that the user chose,
+// which stays the same one while the model changes.
+#pragma once
+
+#include <optional>
+
+#include "model/document/document_friends.h"
+#include "renderer/frame.h"
+
+namespace knotspan {
+
+class ShownFriends : public QObject {
+    Q_OBJECT
+
+public:
+    // The friends outlive it.
+    explicit ShownFriends(DocumentFriends& friends, QObject* parent = nullptr);
+
+    [[nodiscard]] DocumentFriends& friends() { return friends_; }
+
+    [[nodiscard]] bool linesAreShown() const { return linesAreShown_; }
+    void showLines(bool shown);
+
+    // By number: edges() are counted first, then nakedEdges().
+    void choose(std::optional<size_t> number);
+    [[nodiscard]] std::optional<size_t> chosen();
+
+    // What the next picture has to show; where that is nothing, nothing is computed.
+    [[nodiscard]] const std::vector<EdgeLine>& lines();
+
+Q_SIGNALS:
+    void changed();  // lines() or chosen()
+
+private:
+    // Names an edge through all changes: its sides, and where on the first it lies.
+    struct Name {
+        ObjectId a{};
+        Side sideA{};
+        std::optional<std::pair<ObjectId, Side>> b;  // none: a naked edge
+        double middle = 0;
+    };
+    [[nodiscard]] Name nameOf(size_t number) const;
+    void find();
+
+    DocumentFriends& friends_;
+    bool linesAreShown_ = false;
+    std::optional<Name> name_;
+    std::optional<size_t> number_;  // of name_, at foundAt_
+    int foundAt_ = -1;              // revision of the friends
+    std::vector<EdgeLine> lines_;
+    int linesAt_ = -1;
+};
+
+}  // namespace knotspan
