@@ -61,7 +61,7 @@ struct Frame {
     PathId path{};
     CullSet culling;
     bool countWrongCulls = false;  // how often culling drops what shows: costs time, changes nothing
-    SamplingRule sampling;  // default: what the path takes by default
+    SamplingRule sampling;         // default: what the path takes by default
     double tolerancePx = 0.5;
     Evaluator evaluator = Evaluator::automatic;  // by the largest degree that shows
     Shading shading = Shading::shaded;
