@@ -20,6 +20,12 @@ struct PlacedSurface {
     Mat4 transform{1.0};  // affine
 };
 
+// Surface `index` of several is now this one.
+struct SurfaceChange {
+    std::uint32_t index = 0;
+    PlacedSurface placed;
+};
+
 // Where the KSQuads and the borders of one surface stand among those of all.
 struct BorderNumbers {
     std::uint32_t spansU = 0;

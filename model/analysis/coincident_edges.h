@@ -21,11 +21,7 @@ class CoincidentEdges {
 public:
     explicit CoincidentEdges(const std::vector<PlacedSurface>& surfaces = {});
 
-    // Surface `index` is now this one, of as many KSQuads each way.
-    struct Change {
-        std::uint32_t index = 0;
-        PlacedSurface placed;
-    };
+    using Change = SurfaceChange;  // of as many KSQuads each way
     // Looks again only at borders that moved and at what they met or meet now. The result is as if all were
     // made anew, to the bit. False: no border moved.
     bool update(const std::vector<Change>& changes);

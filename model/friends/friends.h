@@ -79,10 +79,7 @@ public:
     Friends(Friends&&) noexcept;
     Friends& operator=(Friends&&) noexcept;
 
-    struct Change {
-        std::uint32_t index = 0;
-        PlacedSurface placed;
-    };
+    using Change = SurfaceChange;
     // Looks again only at edges that moved and at what they met or meet now. The result is as if all were
     // made anew, to the bit.
     void update(const std::vector<Change>& changes);

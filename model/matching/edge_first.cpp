@@ -33,17 +33,8 @@ NurbsSurface edgeFirst(const NurbsSurface& surface, Side side)
 
 NurbsSurface edgeBack(const NurbsSurface& surface, Side side)
 {
-    switch (side) {
-    case Side::startU:
-        return surface;
-    case Side::endU:
-        return reversed(surface, Direction::U);
-    case Side::startV:
-        return swapped(surface);
-    case Side::endV:
-        break;
-    }
-    return reversed(swapped(surface), Direction::V);
+    // The others undo themselves.
+    return side == Side::endV ? reversed(swapped(surface), Direction::V) : edgeFirst(surface, side);
 }
 
 NurbsSurface clamped(const NurbsSurface& surface)

@@ -27,37 +27,21 @@ void note(const EdgePart& part, const NurbsSurface& surface, const BorderNumbers
 
 }  // namespace
 
-bool FriendSides::follow(const std::vector<Resident>& residents)
-{
-    bool anew = held_.size() != residents.size();
-    std::vector<Friends::Change> changes;
-    for (size_t k = 0; k < residents.size() && !anew; ++k) {
-        anew = !isSameShape(held_[k]->surface, residents[k].object->surface);
-        if (held_[k] != residents[k].object)
-            changes.push_back({static_cast<std::uint32_t>(k), placedSurface(*residents[k].object)});
-    }
-    if (!anew && changes.empty())
-        return false;
-    held_.clear();
-    for (const Resident& resident : residents)
-        held_.push_back(resident.object);
-    if (anew)
-        friends_ = Friends(placedSurfaces(residents));
-    else
-        friends_.update(changes);
-    return true;
-}
-
 const std::vector<std::uint8_t>& FriendSides::of(const std::vector<Resident>& residents)
 {
-    if (!follow(residents))
+    const HeldResidents::Difference difference = held_.take(residents);
+    if (difference.isEmpty())
         return sides_;
+    if (difference.anew)
+        friends_ = Friends(placedSurfaces(residents));
+    else
+        friends_.update(difference.changes);
     const std::vector<BorderNumbers> numbers = borderNumbers(placedSurfaces(residents));
     sides_.assign(numbers.empty() ? 0 : numbers.back().firstBorder + numbers.back().borderCount(), 0);
     for (const FriendEdge& edge : friends_.edges())
         if (edge.areFriends())
             for (const EdgePart& part : {edge.a, edge.b})
-                note(part, held_[part.surface]->surface, numbers[part.surface], sides_);
+                note(part, held_[part.surface].surface, numbers[part.surface], sides_);
     return sides_;
 }
 

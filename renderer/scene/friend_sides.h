@@ -3,7 +3,7 @@
 #pragma once
 
 #include "model/friends/friends.h"
-#include "renderer/scene/packed_scene.h"
+#include "renderer/scene/held_residents.h"
 
 namespace knotspan {
 
@@ -13,10 +13,8 @@ public:
     const std::vector<std::uint8_t>& of(const std::vector<Resident>& residents);
 
 private:
-    bool follow(const std::vector<Resident>& residents);
-
     Friends friends_;
-    std::vector<SharedObject> held_;
+    HeldResidents held_;
     std::vector<std::uint8_t> sides_;
 };
 

@@ -8,23 +8,14 @@ namespace knotspan {
 
 bool ShownSides::follow(const std::vector<Resident>& residents, const CoincidentEdges& edges)
 {
-    bool anew = held_.size() != residents.size();
-    std::vector<CoincidentEdges::Change> changes;
-    for (size_t k = 0; k < residents.size() && !anew; ++k) {
-        anew = !isSameShape(held_[k]->surface, residents[k].object->surface);
-        if (held_[k] != residents[k].object)
-            changes.push_back({static_cast<std::uint32_t>(k), placedSurface(*residents[k].object)});
-    }
-    if (!anew && changes.empty())
+    const HeldResidents::Difference difference = held_.take(residents);
+    if (difference.isEmpty())
         return false;
-    held_.clear();
-    for (const Resident& resident : residents)
-        held_.push_back(resident.object);
-    if (anew) {
+    if (difference.anew) {
         shells_ = Shells(placedSurfaces(residents), edges);
         tables_ = {};
     } else {
-        shells_.update(changes, edges);
+        shells_.update(difference.changes, edges);
     }
     return true;
 }

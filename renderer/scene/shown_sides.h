@@ -4,7 +4,7 @@
 
 #include "model/analysis/shells.h"
 #include "renderer/scene/camera.h"
-#include "renderer/scene/packed_scene.h"
+#include "renderer/scene/held_residents.h"
 
 namespace knotspan {
 
@@ -36,7 +36,7 @@ private:
     bool follow(const std::vector<Resident>& residents, const CoincidentEdges& edges);
 
     Shells shells_;
-    std::vector<SharedObject> held_;
+    HeldResidents held_;
     std::optional<Camera> camera_;  // that the tables are of
     double cutOff_ = 0;
     SideTables tables_;
