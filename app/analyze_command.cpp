@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -13,10 +14,6 @@ namespace knotspan::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-// What other programs wrote need not be better than what they call smooth.
-constexpr double kStrictDeg = 0.1;
-constexpr double kImportedDeg = 0.5;
 
 struct Options {
     std::string file;
@@ -39,32 +36,32 @@ Requirement requirementOf(const Options& options)
 FriendTolerances tolerancesOf(const Options& options)
 {
     const formats::Format* format = formats::find(options.file);
-    const bool imported = format != nullptr && format->name != "Knotspan";
-    FriendTolerances tolerances;
+    FriendTolerances tolerances = defaultTolerances(format != nullptr && format->name != "Knotspan");
     tolerances.gap = options.gap.value_or(tolerances.gap);
-    tolerances.angleDeg = options.angle.value_or(imported ? kImportedDeg : kStrictDeg);
+    tolerances.angleDeg = options.angle.value_or(tolerances.angleDeg);
     return tolerances;
 }
 
-std::string surfacesAre(size_t count)
+std::string areOrIs(size_t count, const char* one, const char* many)
 {
-    return count == 1 ? "1 surface is " : std::to_string(count) + " surfaces are ";
+    return std::to_string(count) + (count == 1 ? one : many);
 }
 
 // What the verdicts say nothing about.
-void tellWhatIsLeftOut(const Scene& scene, const std::string& file)
+void tellWhatIsLeftOut(const Scene& scene, const AnalyzeReport& report)
 {
-    size_t hidden = 0;
-    size_t trimmed = 0;
-    for (const auto& [id, object] : scene.objects()) {
-        hidden += object->visible ? 0U : 1U;
-        trimmed += object->visible && !object->trimLoops.empty() ? 1U : 0U;
-    }
+    const auto hidden =
+        static_cast<size_t>(std::count_if(scene.objects().begin(), scene.objects().end(),
+                                          [](const auto& entry) { return !entry.second->visible; }));
     if (hidden > 0)
-        tell(file + ": " + surfacesAre(hidden) + "hidden and left out");
-    if (trimmed > 0)
-        tell(file + ": " + surfacesAre(trimmed) +
-             "trimmed; the edges are those of whole surfaces, not of their trim loops");
+        tell(report.file + ": " + areOrIs(hidden, " surface is", " surfaces are") + " hidden and left out");
+    if (const size_t count = report.creases.size(); count > 0)
+        tell(report.file + ": " +
+             areOrIs(count, " crease lies inside a surface", " creases lie inside surfaces") +
+             "; only where surfaces meet counts");
+    if (const size_t count = report.friends.shortEdges().size(); count > 0)
+        tell(report.file + ": " + areOrIs(count, " edge is", " edges are") +
+             " no longer than three gap tolerances and left out; a smaller --gap would look at them");
 }
 
 int run(const Options& options)
@@ -74,9 +71,9 @@ int run(const Options& options)
     const auto scene = readModel(options.file);
     if (!scene)
         return failed(scene.error());
-    tellWhatIsLeftOut(*scene, options.file);
     AnalyzeReport report = analyzed(*scene, tolerances, requirement);
     report.file = std::filesystem::path(options.file).filename().string();
+    tellWhatIsLeftOut(*scene, report);
     if (options.json)
         std::cout << jsonOf(report).dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
     else
@@ -107,7 +104,9 @@ void addAnalyzeCommand(CLI::App& app, int& exitCode)
                      "G0, G1 or G2: an edge that meets another less smoothly misses; G1 if not given")
         ->type_name("G");
     command->add_flag("--closed", options->closed, "Naked edges miss too");
-    command->add_option("--rows", options->rows, "At most so many lines of edges, those that miss first")
+    command
+        ->add_option("--rows", options->rows,
+                     "At most so many lines of edges, those that miss first, and of naked edges")
         ->check(wholeWithin(1, 1'000'000'000))
         ->type_name("N");
     addJson(*command, options->json);

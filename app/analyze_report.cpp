@@ -45,7 +45,7 @@ std::string surfaceText(const AnalyzeReport& report, std::uint32_t surface)
 
 std::string textOf(const AnalyzeReport& report, const EdgePart& part)
 {
-    return surfaceText(report, part.surface) + ": " + sideName(part.side) +
+    return surfaceText(report, part.surface) + ": " + edgeName(part) +
            printed(" [%.6g, %.6g]", part.from, part.to);
 }
 
@@ -108,6 +108,19 @@ std::string nakedText(const AnalyzeReport& report, size_t rows)
            '\n';
 }
 
+std::string creasesText(const AnalyzeReport& report, size_t rows)
+{
+    if (report.creases.empty())
+        return {};
+    const auto rowText = [&](size_t k) {
+        const auto& [surface, crease] = report.creases[k];
+        return "  " + surfaceText(report, surface) +
+               printed(": %s = %.6g, %.3g degrees\n", crease.across == Direction::U ? "u" : "v",
+                       crease.parameter, crease.angleMaxDeg);
+    };
+    return "creases inside surfaces\n" + rowsText(report.creases.size(), rows, rowText) + '\n';
+}
+
 std::string summaryText(const AnalyzeReport& report)
 {
     std::string verdicts;
@@ -124,6 +137,8 @@ std::string summaryText(const AnalyzeReport& report)
                        continuityName(report.requirement.continuity) +
                        printed(" within a gap of %g ", tolerances.gap) + report.units +
                        printed(" and an angle of %g degrees: ", tolerances.angleDeg);
+    if (report.saysNothing())
+        return text + "no edge is long enough to judge; give a smaller --gap.\n";
     text += missing == 0 ? "no edge misses" : counted(missing, "edge misses", "edges miss");
     if (missing == 0 && !report.passes())
         text += ", but naked edges are not allowed";
@@ -132,7 +147,7 @@ std::string summaryText(const AnalyzeReport& report)
 
 Json jsonOf(const AnalyzeReport& report, const EdgePart& part)
 {
-    return {{"surface", report.numbers[part.surface]}, {"side", sideName(part.side)}};
+    return {{"surface", report.numbers[part.surface]}, {"side", edgeName(part)}};
 }
 
 Json jsonOf(const AnalyzeReport& report, const FriendEdge& edge)
@@ -162,6 +177,7 @@ Json summaryJson(const AnalyzeReport& report)
     return {{"edges", report.friends.edges().size()},
             {"continuity", std::move(verdicts)},
             {"naked_edges", report.friends.nakedEdges().size()},
+            {"short_edges", report.friends.shortEdges().size()},
             {"units", report.units},
             {"gap", report.friends.tolerances().gap},
             {"angle_deg", report.friends.tolerances().angleDeg},
@@ -189,15 +205,23 @@ std::vector<size_t> AnalyzeReport::misses() const
     return result;
 }
 
+bool AnalyzeReport::saysNothing() const
+{
+    return friends.edges().empty() && friends.nakedEdges().empty() && !friends.shortEdges().empty();
+}
+
 bool AnalyzeReport::passes() const
 {
-    return misses().empty() && !(requirement.closed && !friends.nakedEdges().empty());
+    return misses().empty() && !saysNothing() && !(requirement.closed && !friends.nakedEdges().empty());
 }
 
 AnalyzeReport analyzed(const Scene& scene, const FriendTolerances& tolerances, const Requirement& requirement)
 {
     AnalyzeReport report{{}, scene.units(), {}, SceneFriends(tolerances), requirement};
     report.friends.follow(scene);
+    for (std::uint32_t k = 0; k < report.friends.objects().size(); ++k)
+        for (const Crease& crease : creasesOf(placed(*report.friends.object(k)), tolerances))
+            report.creases.push_back({k, crease});
     size_t number = 0;
     for (const auto& [id, object] : scene.objects()) {
         if (object->visible)
@@ -209,7 +233,8 @@ AnalyzeReport analyzed(const Scene& scene, const FriendTolerances& tolerances, c
 
 std::string tableOf(const AnalyzeReport& report, size_t rows)
 {
-    return edgesText(report, rows) + nakedText(report, rows) + summaryText(report);
+    return edgesText(report, rows) + nakedText(report, rows) + creasesText(report, rows) +
+           summaryText(report);
 }
 
 nlohmann::ordered_json jsonOf(const AnalyzeReport& report)
@@ -223,7 +248,16 @@ nlohmann::ordered_json jsonOf(const AnalyzeReport& report)
         json["range"] = {part.from, part.to};
         naked.push_back(std::move(json));
     }
-    return {{"edges", std::move(edges)}, {"naked_edges", std::move(naked)}, {"summary", summaryJson(report)}};
+    Json creases = Json::array();
+    for (const auto& [surface, crease] : report.creases)
+        creases.push_back({{"surface", report.numbers[surface]},
+                           {"direction", crease.across == Direction::U ? "u" : "v"},
+                           {"parameter", crease.parameter},
+                           {"angle_max_deg", crease.angleMaxDeg}});
+    return {{"edges", std::move(edges)},
+            {"naked_edges", std::move(naked)},
+            {"creases", std::move(creases)},
+            {"summary", summaryJson(report)}};
 }
 
 }  // namespace knotspan::app

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "model/friends/creases.h"
 #include "model/friends/scene_friends.h"
 
 namespace knotspan::app {
@@ -19,14 +20,23 @@ struct Requirement {
     [[nodiscard]] bool isMetBy(const FriendEdge& edge, const FriendTolerances& tolerances) const;
 };
 
+// Inside surface `surface` of the report's friends.
+struct InnerCrease {
+    std::uint32_t surface = 0;
+    Crease crease;
+};
+
 struct AnalyzeReport {
     std::string file;  // its name without folders
     std::string units;
     std::vector<size_t> numbers;  // of the surfaces in `friends`, as `info` numbers them
     SceneFriends friends;
     Requirement requirement;
+    std::vector<InnerCrease> creases = {};  // they are listed, and do not miss
 
     [[nodiscard]] std::vector<size_t> misses() const;  // into friends.edges(), increasing
+    // Whether the gap tolerance is so large that no edge is left to judge, which is no pass.
+    [[nodiscard]] bool saysNothing() const;
     [[nodiscard]] bool passes() const;
 };
 

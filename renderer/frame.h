@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "model/friends/edge_part.h"
 #include "model/geometry/basis_evaluators.h"
-#include "model/geometry/bezier_conversion.h"
 #include "model/scene/control_point_editing.h"
 #include "model/scene/deformation.h"
 #include "model/scene/scene.h"
@@ -29,12 +29,10 @@ struct ControlPointMark {
     [[nodiscard]] bool operator==(const ControlPointMark&) const = default;
 };
 
-// A line along a side of a surface, between two of its parameters.
+// A line along an edge of an object.
 struct EdgeLine {
     ObjectId object{};
-    Side side{};
-    double from = 0;  // < to
-    double to = 0;
+    EdgePart edge;             // its `surface` does not count
     std::uint32_t colour = 0;  // 0xRRGGBB, sRGB
     double widthPx = 3;
 

@@ -56,6 +56,8 @@ FrameStats Renderer::Parts::statsOf(const Frame& frame, const SurfacePath& path,
     stats.evaluations = wide(counted_.evaluations);
     if (path.asksForFriends(rule))
         stats.samplesSaved = wide(counted_.samplesSaved);
+    if (path.tiles())
+        stats.normalsShared = wide(counted_.normalsShared);
     if ((frame.culling.bits & CULL_DICE) != 0)
         stats.trianglesCulled = wide(counted_.trianglesCulled);
     if (counted_.meshGroups > 0) {

@@ -4,6 +4,7 @@
 
 #include "ui/action_rows.h"
 #include "ui/match_dialog.h"
+#include "ui/panels/friends_panel.h"
 
 namespace knotspan {
 
@@ -17,8 +18,10 @@ void takeBack(Window& window)
 
 void escape(Window& window)
 {
-    if (!window.viewport().cancelDrag())
-        window.selection().clear();
+    if (window.viewport().cancelDrag())
+        return;
+    window.selection().clear();
+    window.shownFriends().choose({});
 }
 
 void selectAll(Window& window)
@@ -67,6 +70,18 @@ std::optional<ObjectEdge> chosenEdge(Window& window)
     return ObjectEdge{edge, friends.objects()[edge.a.surface], friends.objects()[edge.b.surface]};
 }
 
+// The other way round: the dialog's edge is the chosen one, so that the viewport marks it.
+void chooseEdgeOf(Window& window, const MatchDialog& dialog)
+{
+    const auto* panel = window.findChild<FriendsPanel*>();
+    if (!dialog.edge()) {
+        if (!panel->isVisible())  // else it stays chosen there
+            window.shownFriends().choose({});
+        return;
+    }
+    window.shownFriends().choose(numberAmong(window.friends().friends(), *dialog.edge()));
+}
+
 MatchDialog* makeMatchDialog(Window& window)
 {
     auto* dialog = new MatchDialog(window.document(), window.selection(), &window);
@@ -74,6 +89,8 @@ MatchDialog* makeMatchDialog(Window& window)
         if (dialog->isVisible())
             dialog->setEdge(chosenEdge(window));
     });
+    QObject::connect(dialog, &MatchDialog::edgeChanged, dialog,
+                     [&window, dialog] { chooseEdgeOf(window, *dialog); });
     return dialog;
 }
 
@@ -113,7 +130,7 @@ const std::vector<ActionInfo>& editActions()
         {.id = "edit.deselect",
          .text = TEXT("&Deselect"),
          .shortcuts = {QKeySequence(Qt::Key_Escape)},
-         .tip = TEXT("Take a running drag back; without one, select nothing"),
+         .tip = TEXT("Take a running drag back; without one, select nothing and let go of the chosen edge"),
          .run = [](Window& w, bool) { escape(w); }},
         {.id = "edit.delete",
          .text = TEXT("D&elete"),

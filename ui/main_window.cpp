@@ -1,5 +1,8 @@
 #include "ui/main_window.h"
 
+#include <algorithm>
+#include <utility>
+
 #include <QAction>
 #include <QCloseEvent>
 #include <QDialog>
@@ -47,6 +50,11 @@ MainWindow::MainWindow(Questions questions)
     // Not at each move of a drag: the bar's going would move the picture under the hand.
     connect(&document_.undoStack(), &QUndoStack::indexChanged, messages_, &MessageBar::dismissTrouble);
     connect(&selection_, &Selection::changed, this, &MainWindow::showActionStates);
+    connect(&selection_, &Selection::changed, this, [this, before = std::set<ObjectId>()]() mutable {
+        if (std::exchange(before, selection_.objects()) != selection_.objects())
+            letGoOfEdge();
+    });
+    connect(&document_, &Document::documentReplaced, this, [this] { shownFriends_.choose({}); });
     connect(&shownFriends_, &ShownFriends::changed, this, &MainWindow::showActionStates);
     connect(viewport_, &Viewport::frameChanged, this, &MainWindow::showActionStates);
     connect(viewport_, &Viewport::toolSettingsChanged, this, &MainWindow::showActionStates);
@@ -77,6 +85,15 @@ QAction* MainWindow::action(std::string_view id) const
 QString MainWindow::message() const
 {
     return messages_->message();
+}
+
+// The chosen edge, once objects are selected that do not have it: the later choice counts.
+void MainWindow::letGoOfEdge()
+{
+    const auto isSelected = [this](ObjectId id) { return selection_.contains(id); };
+    const std::vector<ObjectId> having = shownFriends_.objects();
+    if (!selection_.objects().empty() && std::none_of(having.begin(), having.end(), isSelected))
+        shownFriends_.choose({});
 }
 
 void MainWindow::showTitle()

@@ -55,6 +55,7 @@ private:
     void makeStatusBar();
     void restoreLayout();
 
+    void letGoOfEdge();
     void showTitle();
     void showActionStates();
     void showFrameLine(const FrameStats& stats);

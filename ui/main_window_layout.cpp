@@ -77,6 +77,9 @@ void MainWindow::makePanels()
         if (info.shortcut != nullptr)
             dock->toggleViewAction()->setShortcut(QKeySequence(info.shortcut));
         addDockWidget(info.area, dock);
+        if (info.tabbedWith != nullptr)
+            tabifyDockWidget(findChild<QDockWidget*>(info.tabbedWith), dock);
+        connect(dock->toggleViewAction(), &QAction::triggered, dock, &QDockWidget::raise);  // among tabs
         dock->setHidden(info.hiddenAtFirst);
         panels_.push_back(dock);
     }

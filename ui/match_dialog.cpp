@@ -8,7 +8,6 @@
 #include <QHideEvent>
 #include <QLabel>
 #include <QPushButton>
-#include <QScopedValueRollback>
 
 #include "model/matching/neighbours.h"
 #include "ui/match_report.h"
@@ -27,17 +26,16 @@ bool comesBefore(const ObjectEdge& x, const ObjectEdge& y, const Selection& sele
     };
     if (inside(x) != inside(y))
         return inside(x);
-    if (x.edge.continuity != y.edge.continuity)
-        return x.edge.continuity < y.edge.continuity;
+    const int rank = smoothnessRank(x.edge.continuity);
+    if (const int other = smoothnessRank(y.edge.continuity); rank != other)
+        return rank < other;
     return x.edge.angleMaxDeg > y.edge.angleMaxDeg;
 }
 
 // Also after the model changed a little.
 bool isSame(const ObjectEdge& x, const ObjectEdge& y)
 {
-    const bool sides =
-        x.a == y.a && x.b == y.b && x.edge.a.side == y.edge.a.side && x.edge.b.side == y.edge.b.side;
-    return sides && std::max(x.edge.a.from, y.edge.a.from) < std::min(x.edge.a.to, y.edge.a.to);
+    return isSameEdge(x, y) && std::max(x.edge.a.from, y.edge.a.from) < std::min(x.edge.a.to, y.edge.a.to);
 }
 
 }  // namespace
@@ -45,7 +43,8 @@ bool isSame(const ObjectEdge& x, const ObjectEdge& y)
 MatchDialog::MatchDialog(Document& document, Selection& selection, QWidget* parent)
     : QDialog(parent),
       document_(document),
-      selection_(selection)
+      selection_(selection),
+      shown_(document, tr("Match edge"), this)
 {
     setWindowTitle(tr("Match edge"));
     setObjectName("match-dialog");
@@ -53,12 +52,10 @@ MatchDialog::MatchDialog(Document& document, Selection& selection, QWidget* pare
     wait_.setSingleShot(true);
     wait_.setInterval(kWaitMs);
     connect(&wait_, &QTimer::timeout, this, &MatchDialog::look);
-    connect(&document_, &Document::sceneChanged, this, &MatchDialog::onSceneChanged);
+    connect(&shown_, &Preview::modelChanged, this, &MatchDialog::onModelChanged);
     connect(&selection_, &Selection::changed, this, &MatchDialog::onSelectionChanged);
     connect(&document_, &Document::documentReplaced, this, [this] {
-        gesture_ = 0;
         edge_.reset();
-        chosenElsewhere_.reset();
         offeredFor_.clear();
         offered_.clear();
         fillEdges();
@@ -66,32 +63,27 @@ MatchDialog::MatchDialog(Document& document, Selection& selection, QWidget* pare
     look();
 }
 
-MatchDialog::~MatchDialog()
-{
-    takePreviewBack();
-}
-
 void MatchDialog::hideEvent(QHideEvent* event)
 {
     wait_.stop();
-    takePreviewBack();
-    if (!event->spontaneous())
+    shown_.takeBack();
+    if (!event->spontaneous()) {
         edge_.reset();  // the next time it is what is chosen then
+        Q_EMIT edgeChanged();
+    }
     QDialog::hideEvent(event);
 }
 
 FriendTolerances MatchDialog::tolerances() const
 {
-    return {gap_->value(), angle_->value(), curvature_->value()};
+    return {gap_->value(), angle_->value(), curvature_->value() / 100};
 }
 
 void MatchDialog::setEdge(const std::optional<ObjectEdge>& edge)
 {
-    const bool isKnown = edge && chosenElsewhere_ && isSame(*edge, *chosenElsewhere_);
-    chosenElsewhere_ = edge;
-    if (!edge || (isKnown && edge_))
+    if (!edge || (edge_ && isSame(*edge, *edge_)))
         return;
-    takePreviewBack();
+    shown_.takeBack();
     const auto known = std::find_if(offered_.begin(), offered_.end(),
                                     [&](const ObjectEdge& other) { return isSame(other, *edge); });
     const auto row = static_cast<int>(known - offered_.begin());
@@ -105,7 +97,7 @@ void MatchDialog::setEdge(const std::optional<ObjectEdge>& edge)
 
 void MatchDialog::offerEdges()
 {
-    takePreviewBack();
+    shown_.takeBack();
     FriendTolerances found;
     found.gap = std::max(found.gap, gap_->value());
     offeredFor_ = selection_.objects();
@@ -129,9 +121,14 @@ void MatchDialog::fillEdges()
 {
     edges_->clear();
     for (const ObjectEdge& edge : offered_)
-        edges_->addItem(
-            QString("%1: %2").arg(QString::fromStdString(knotspan::describe(document_.scene(), edge)),
-                                  QString(continuityName(edge.edge.continuity))));
+        edges_->addItem(lineOf(edge));
+    gap_->setSuffix(" " + QString::fromStdString(document_.scene().units()));
+}
+
+QString MatchDialog::lineOf(const ObjectEdge& edge) const
+{
+    return QString("%1: %2").arg(QString(continuityName(edge.edge.continuity)),
+                                 QString::fromStdString(knotspan::describe(document_.scene(), edge)));
 }
 
 void MatchDialog::chooseEdge(int row)
@@ -143,17 +140,20 @@ void MatchDialog::chooseEdge(int row)
     edges_->setCurrentIndex(edge_ ? row : -1);
     nameSides();
     lookSoon();
+    Q_EMIT edgeChanged();
 }
 
 void MatchDialog::nameSides()
 {
     if (!edge_)
         return;
-    const auto name = [&](ObjectId id, Side side) {
-        return tr("%1, at its %2").arg(QString::fromStdString(nameOf(document_.scene(), id)), sideName(side));
+    const auto name = [&](ObjectId id, const EdgePart& edge) {
+        return tr("%1, at its %2")
+            .arg(QString::fromStdString(nameOf(document_.scene(), id)),
+                 QString::fromStdString(edgeName(edge)));
     };
-    move_->setItemText(0, name(edge_->a, edge_->edge.a.side));
-    move_->setItemText(1, name(edge_->b, edge_->edge.b.side));
+    move_->setItemText(0, name(edge_->a, edge_->edge.a));
+    move_->setItemText(1, name(edge_->b, edge_->edge.b));
 }
 
 void MatchDialog::lookSoon()
@@ -163,21 +163,26 @@ void MatchDialog::lookSoon()
     wait_.start();
 }
 
-// The edge in the scene as it is now; as it was found where its sides have parted.
+// The edges in the scene as it is now; as they were found where their sides have parted.
 void MatchDialog::findAgain()
 {
     FriendTolerances wide;
     wide.gap = std::max({wide.gap, gap_->value(), edge_->edge.gapMax});
-    const bool isThere = document_.scene().find(edge_->a) && document_.scene().find(edge_->b);
-    if (const auto now = foundAgain(document_.scene(), *edge_, wide); now && isThere)
-        edge_ = now;
+    const auto now = foundAgain(document_.scene(), offered_, wide);
+    for (size_t row = 0; row < now.size(); ++row) {
+        if (!now[row])
+            continue;
+        offered_[row] = *now[row];
+        edges_->setItemText(static_cast<int>(row), lineOf(*now[row]));
+    }
+    edge_ = offered_[static_cast<size_t>(edges_->currentIndex())];
     isStale_ = false;
 }
 
 void MatchDialog::look()
 {
     wait_.stop();
-    takePreviewBack();
+    shown_.takeBack();
     match_.reset();
     apply_->setEnabled(false);
     if (!edge_) {
@@ -195,7 +200,9 @@ void MatchDialog::look()
     QStringList lines{done_};
     lines << edgeReport(scene, *edge_);
     if (match) {
-        lines << matchReport(scene, *edge_, *match);
+        if (done_.isEmpty())  // else it would only repeat what is so now
+            lines << matchReport(scene, *edge_, *match)
+                  << effectsReport(scene, sideEffects(scene, *edge_, *match, tolerances()));
         match_ = *std::move(match);
         apply_->setEnabled(!match_->edit.isEmpty());
     } else {
@@ -210,18 +217,7 @@ void MatchDialog::showPreview()
 {
     if (!match_ || match_->edit.isEmpty() || !preview_->isChecked() || !mayShow_ || !isVisible())
         return;
-    const QScopedValueRollback ours(isOurs_, true);
-    gesture_ = document_.newGesture();
-    document_.apply(match_->edit, tr("Match edge"), gesture_);
-}
-
-void MatchDialog::takePreviewBack()
-{
-    if (gesture_ == 0)
-        return;
-    const QScopedValueRollback ours(isOurs_, true);
-    document_.cancelGesture(gesture_);
-    gesture_ = 0;
+    shown_.show(match_->edit);
 }
 
 void MatchDialog::apply()
@@ -230,25 +226,15 @@ void MatchDialog::apply()
         look();
     if (!match_ || match_->edit.isEmpty())
         return;
-    {
-        const QScopedValueRollback ours(isOurs_, true);
-        if (gesture_ != 0)
-            document_.finishGesture(gesture_);
-        else
-            document_.apply(match_->edit, tr("Match edge"));
-    }
-    gesture_ = 0;
+    shown_.apply(match_->edit);
     isStale_ = true;
     mayShow_ = false;
     done_ = tr("Done.");
     look();
 }
 
-void MatchDialog::onSceneChanged()
+void MatchDialog::onModelChanged()
 {
-    if (isOurs_)
-        return;
-    gesture_ = 0;  // the document has made it a step, or undone it
     isStale_ = edge_.has_value();
     mayShow_ = false;
     done_.clear();

@@ -1,6 +1,6 @@
 // Edit > Match edge: makes two surfaces meet smoothly along an edge. What would move is told, and shown in
-// the viewport as a gesture that is not finished: closing the dialog takes it back without a trace, Apply
-// makes it one step. Whatever else is done to the model meanwhile keeps it as a step.
+// the viewport as a preview: closing the dialog takes it back without a trace, and so does whatever else is
+// done to the model; Apply makes it one step.
 #pragma once
 
 #include <QDialog>
@@ -8,6 +8,7 @@
 
 #include "model/document/document.h"
 #include "model/matching/scene_match.h"
+#include "ui/preview.h"
 #include "ui/tools/selection.h"
 
 class QCheckBox;
@@ -25,17 +26,19 @@ class MatchDialog : public QDialog {
 public:
     // Document and selection outlive it.
     MatchDialog(Document& document, Selection& selection, QWidget* parent = nullptr);
-    ~MatchDialog() override;
 
-    // The edge that is chosen elsewhere in the window, beside those of the selected objects. Counts when it
-    // is another one than the last time; nothing: none is chosen there.
+    // The edge that is chosen elsewhere in the window; nothing: none is chosen there, so the dialog keeps its
+    // own.
     void setEdge(const std::optional<ObjectEdge>& edge);
     // The edges of the selected objects, the least smooth first.
     void offerEdges();
 
     [[nodiscard]] const std::optional<ObjectEdge>& edge() const { return edge_; }
     [[nodiscard]] bool isLooking() const { return wait_.isActive(); }  // the answer is yet to come
-    [[nodiscard]] bool isPreviewing() const { return gesture_ != 0; }
+    [[nodiscard]] bool isPreviewing() const { return shown_.isShown(); }
+
+Q_SIGNALS:
+    void edgeChanged();  // edge() is another one
 
 protected:
     void hideEvent(QHideEvent* event) override;
@@ -46,6 +49,7 @@ private:
     void makeTolerances(QFormLayout& form);
     QWidget* makeButtons();
     void fillEdges();
+    [[nodiscard]] QString lineOf(const ObjectEdge& edge) const;
     void chooseEdge(int row);
     void onSelectionChanged();
     void nameSides();
@@ -53,23 +57,20 @@ private:
     void look();
     void findAgain();
     void showPreview();
-    void takePreviewBack();
     void apply();
-    void onSceneChanged();
+    void onModelChanged();
     [[nodiscard]] FriendTolerances tolerances() const;
 
     Document& document_;
     Selection& selection_;
     std::vector<ObjectEdge> offered_;
     std::optional<ObjectEdge> edge_;
-    std::optional<ObjectEdge> chosenElsewhere_;
     std::set<ObjectId> offeredFor_;
     std::optional<SceneMatch> match_;  // of the scene without the preview
-    int gesture_ = 0;                  // of the preview; 0: none is shown
-    bool isOurs_ = false;              // the change of the scene that is going on
-    bool isStale_ = false;             // the scene changed since the edge was found
-    bool mayShow_ = true;              // not right after the model changed otherwise
-    QString done_;                     // what was just done
+    Preview shown_;
+    bool isStale_ = false;  // the scene changed since the edge was found
+    bool mayShow_ = true;   // not right after the model changed otherwise
+    QString done_;          // what was just done
     QTimer wait_;
     QComboBox* edges_ = nullptr;
     QComboBox* target_ = nullptr;

@@ -8,20 +8,10 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "ui/described.h"
 #include "ui/match_dialog.h"
 
 namespace knotspan {
-
-namespace {
-
-void describe(QWidget* widget, const char* id, const QString& name, const QString& tip)
-{
-    widget->setObjectName(id);
-    widget->setAccessibleName(name);
-    widget->setToolTip(tip);
-}
-
-}  // namespace
 
 void MatchDialog::makeLayout()
 {
@@ -97,8 +87,11 @@ void MatchDialog::makeTolerances(QFormLayout& form)
     angle_ = add("angle", tr("Largest a&ngle"), tr("Between the tangent planes of the two sides, in degrees"),
                  defaults.angleDeg, 10);
     angle_->setSuffix("°");
-    curvature_ = add("curvature", tr("Largest difference of c&urvatures"),
-                     tr("As a part of the larger of the two; it counts for G2 only"), defaults.curvature, 1);
+    curvature_ =
+        add("curvature", tr("Largest difference of c&urvatures"),
+            tr("As a part of the larger of the two; it counts for G2 only"), 100 * defaults.curvature, 100);
+    curvature_->setDecimals(4);
+    curvature_->setSuffix(tr(" %"));
 }
 
 QWidget* MatchDialog::makeButtons()

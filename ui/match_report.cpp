@@ -4,6 +4,7 @@
 #include <QStringList>
 
 #include "model/matching/neighbours.h"
+#include "ui/panels/friends_table.h"
 
 namespace knotspan {
 
@@ -13,14 +14,13 @@ struct Report {
     Q_DECLARE_TR_FUNCTIONS(knotspan::MatchReport)
 };
 
-QString number(double value)
-{
-    return QString::number(value, 'g', 3);
-}
+constexpr double kNoLength = 1e-9;
+constexpr double kNoAngle = 1e-7;  // degrees
+constexpr double kNoPart = 1e-9;
 
 QString length(double value, const Scene& scene)
 {
-    return number(value) + " " + QString::fromStdString(scene.units());
+    return friendFigure(value, kNoLength) + " " + QString::fromStdString(scene.units());
 }
 
 QString net(const NurbsSurface& surface)
@@ -58,7 +58,41 @@ QString sideReport(const Scene& scene, ObjectId id, const MatchedSurface& matche
     return parts.join(' ');
 }
 
+// The first three, and how many more there are.
+QString firstOf(const QStringList& list)
+{
+    constexpr qsizetype kShown = 3;
+    QString text = list.mid(0, kShown).join("; ");
+    if (const qsizetype more = list.size() - kShown; more > 0)
+        text += Report::tr("; and %1 more").arg(more);
+    return text;
+}
+
 }  // namespace
+
+QString effectsReport(const Scene& scene, const SideEffects& effects)
+{
+    const auto name = [&](ObjectId id) { return QString::fromStdString(nameOf(scene, id)); };
+    const auto side = [&](ObjectId id, const EdgePart& part) {
+        return Report::tr("%1 of %2").arg(QString::fromStdString(edgeName(part)), name(id));
+    };
+    QStringList worse;
+    for (const SideEffects::Worse& one : effects.worse)
+        worse << Report::tr("%1 with %2: %3 to %4")
+                     .arg(side(one.edge.a, one.edge.edge.a), name(one.edge.b),
+                          continuityName(one.edge.edge.continuity),
+                          one.after ? QString(continuityName(*one.after)) : Report::tr("naked"));
+    QStringList naked;
+    for (const SideEffects::Naked& one : effects.naked)
+        naked << side(one.object, one.part);
+    naked.removeDuplicates();
+    QStringList lines;
+    if (!worse.isEmpty())
+        lines << Report::tr("Also changes: %1.").arg(firstOf(worse));
+    if (!naked.isEmpty())
+        lines << Report::tr("Becomes naked, at least in part: %1.").arg(firstOf(naked));
+    return lines.join('\n');
+}
 
 QString edgeReport(const Scene& scene, const ObjectEdge& edge)
 {
@@ -66,15 +100,18 @@ QString edgeReport(const Scene& scene, const ObjectEdge& edge)
     const QString gap = length(edge.edge.gapMax, scene);
     if (edge.edge.continuity == Continuity::none)
         return Report::tr("Now: apart, gap %1.").arg(gap);
-    return Report::tr("Now: %1, largest angle %2°, gap %3.").arg(verdict, number(edge.edge.angleMaxDeg), gap);
+    return Report::tr("Now: %1, largest angle %2°, gap %3.")
+        .arg(verdict, friendFigure(edge.edge.angleMaxDeg, kNoAngle), gap);
 }
 
 QString matchReport(const Scene& scene, const ObjectEdge& edge, const SceneMatch& match)
 {
     const MatchProposal& proposal = match.proposal;
-    QStringList lines{Report::tr("Then: largest angle %1°, gap %2, curvatures differ by %3 per %4 at most.")
-                          .arg(number(proposal.angleDeg), length(proposal.gap, scene),
-                               number(proposal.curvature), QString::fromStdString(scene.units()))};
+    QStringList lines{
+        Report::tr("Then: largest angle %1°, gap %2, curvatures differ by %3 % (%4 per %5) at most.")
+            .arg(friendFigure(proposal.angleDeg, kNoAngle), length(proposal.gap, scene),
+                 friendFigure(100 * proposal.curvaturePart, kNoPart),
+                 friendFigure(proposal.curvature, kNoPart), QString::fromStdString(scene.units()))};
     if (proposal.a)
         lines << sideReport(scene, edge.a, *proposal.a);
     if (proposal.b)

@@ -7,10 +7,14 @@
 
 namespace knotspan {
 
-// "Now: G0, 5.03° apart, gap 0.0001 mm."
+// "Now: G0, largest angle 5.03°, gap 0.0001 mm."
 [[nodiscard]] QString edgeReport(const Scene& scene, const ObjectEdge& edge);
 
 // A line on what is left, and one for each side on how far and which rows; `scene` is the one before.
 [[nodiscard]] QString matchReport(const Scene& scene, const ObjectEdge& edge, const SceneMatch& match);
+
+// "Also changes: u start of "Port aft" with "Port midships": G2 to G0." and "Becomes naked: ...", the first
+// three of each; empty where nothing else changes for the worse.
+[[nodiscard]] QString effectsReport(const Scene& scene, const SideEffects& effects);
 
 }  // namespace knotspan

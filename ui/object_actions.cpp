@@ -19,6 +19,7 @@ bool allHave(Window& window, Sides sides)
 
 void tell(Window& window, Sides sides, const QString& step)
 {
+    window.document().endPreview();
     Edit edit;
     for (const ObjectId id : window.selection().objects()) {
         const SharedObject object = window.document().scene().find(id);

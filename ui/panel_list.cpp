@@ -42,7 +42,8 @@ const std::vector<PanelInfo>& panelList()
     static const std::vector<PanelInfo> kList = {
         {"objects-dock", TITLE("Objects"), Qt::LeftDockWidgetArea, makeObjects},
         {"rendering-dock", TITLE("Rendering"), Qt::RightDockWidgetArea, makeRendering},
-        {"friends-dock", TITLE("Friends"), Qt::LeftDockWidgetArea, makeFriends, "Ctrl+F", true},
+        {"friends-dock", TITLE("Friends"), Qt::LeftDockWidgetArea, makeFriends, "Ctrl+F", true,
+         "objects-dock"},
         {"stats-dock", TITLE("Statistics"), Qt::RightDockWidgetArea, makeStats},
     };
     return kList;

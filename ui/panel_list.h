@@ -20,6 +20,7 @@ struct PanelInfo {
     QWidget* (*make)(MainWindow& window);
     const char* shortcut = nullptr;  // of its line in the menu
     bool hiddenAtFirst = false;
+    const char* tabbedWith = nullptr;  // the dock before it that it shares its place with
 };
 
 // From the top down.

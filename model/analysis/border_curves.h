@@ -11,13 +11,15 @@
 #include <vector>
 
 #include "model/geometry/bezier_conversion.h"
+#include "model/geometry/trim_loop.h"
 
 namespace knotspan {
 
-// `surface` is only looked at during the call it is given to.
+// What it points to is only looked at during the call it is given to.
 struct PlacedSurface {
     const NurbsSurface* surface = nullptr;
-    Mat4 transform{1.0};  // affine
+    Mat4 transform{1.0};                               // affine
+    const std::vector<TrimLoop>* trimLoops = nullptr;  // for those that ask about edges; null: none
 };
 
 // Surface `index` of several is now this one.

@@ -52,7 +52,8 @@ Result<void> Document::open(const fs::path& path)
         return tl::unexpected(scene.error());
     const formats::Format* format = formats::find(path);
     const bool writable = format != nullptr && format->write != nullptr;
-    replace(std::move(*scene), writable ? fs::absolute(path) : fs::path(), fileTitle(path));
+    replace(std::move(*scene), writable ? fs::absolute(path) : fs::path(), fileTitle(path),
+            format != nullptr && format->name != "Knotspan");
     return {};
 }
 
@@ -83,16 +84,17 @@ Result<void> Document::add(const fs::path& path)
 
 void Document::reset(Scene scene, const QString& title)
 {
-    replace(std::move(scene), {}, title);
+    replace(std::move(scene), {}, title, false);
 }
 
-void Document::replace(Scene scene, const fs::path& file, const QString& title)
+void Document::replace(Scene scene, const fs::path& file, const QString& title, bool isImported)
 {
     running_.reset();
     undoStack_.clear();
     scene_ = std::move(scene);
     file_ = file;
     title_ = title;
+    isImported_ = isImported;
     Q_EMIT documentReplaced();
     Q_EMIT sceneChanged();
     Q_EMIT fileChanged();
@@ -107,8 +109,14 @@ Result<void> Document::save()
 
 Result<void> Document::saveAs(const fs::path& path)
 {
-    finishRunning();
-    if (Result<void> written = formats::write(scene_, path); !written)
+    Scene saved = scene_;
+    if (isPreviewing()) {
+        Edit back = running_->edit;
+        back.applyTo(saved);
+    } else {
+        finishRunning();
+    }
+    if (Result<void> written = formats::write(saved, path); !written)
         return written;
     file_ = fs::absolute(path);
     title_ = fileTitle(path);
@@ -135,19 +143,41 @@ void Document::apply(const Edit& edit, const QString& text, int gesture)
     if (gesture == 0)
         undoStack_.push(new EditCommand(*this, std::move(applied), text));
     else
-        running_ = Running{gesture, std::move(applied), text};
+        running_ = Running{gesture, std::move(applied), text, false};
     if (wasModified != isModified())
         Q_EMIT fileChanged();
 }
 
+int Document::preview(const Edit& edit, const QString& text)
+{
+    finishRunning();
+    if (edit.isEmpty())
+        return 0;
+    Edit applied = edit;
+    applied.applyTo(scene_);
+    const int gesture = newGesture();
+    running_ = Running{gesture, std::move(applied), text, true};
+    Q_EMIT sceneChanged();
+    return gesture;
+}
+
+void Document::endPreview()
+{
+    if (isPreviewing())
+        cancelGesture(running_->gesture);
+}
+
 void Document::finishGesture(int gesture)
 {
-    if (running_ && running_->gesture == gesture)
-        finishRunning();
+    if (!running_ || running_->gesture != gesture)
+        return;
+    running_->isPreview = false;
+    finishRunning();
 }
 
 void Document::finishRunning()
 {
+    endPreview();
     if (!running_)
         return;
     Running finished = std::move(*running_);

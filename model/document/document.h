@@ -24,14 +24,16 @@ public:
     [[nodiscard]] QUndoStack& undoStack();
     void undo() { undoStack().undo(); }
     void redo() { undoStack().redo(); }
-    [[nodiscard]] bool canUndo() const { return running_.has_value() || undoStack_.canUndo(); }
-    [[nodiscard]] bool canRedo() const { return !running_.has_value() && undoStack_.canRedo(); }
-    [[nodiscard]] QString undoText() const { return running_ ? running_->text : undoStack_.undoText(); }
+    [[nodiscard]] bool canUndo() const { return isDragging() || undoStack_.canUndo(); }
+    [[nodiscard]] bool canRedo() const { return !isDragging() && undoStack_.canRedo(); }
+    [[nodiscard]] QString undoText() const { return isDragging() ? running_->text : undoStack_.undoText(); }
     [[nodiscard]] QString redoText() const { return undoStack_.redoText(); }
-    [[nodiscard]] bool isModified() const { return running_.has_value() || !undoStack_.isClean(); }
+    [[nodiscard]] bool isModified() const { return isDragging() || !undoStack_.isClean(); }
 
     // The file that save() writes to; empty for a new or imported model, which needs saveAs().
     [[nodiscard]] const std::filesystem::path& file() const { return file_; }
+    // Whether another program's format brought the model here.
+    [[nodiscard]] bool isImported() const { return isImported_; }
     // What a title bar calls the document; never empty.
     [[nodiscard]] QString title() const;
 
@@ -51,6 +53,14 @@ public:
     void apply(const Edit& edit, const QString& text, int gesture = 0);
     [[nodiscard]] int newGesture() { return ++lastGesture_; }
 
+    // Shows what an edit would do: a gesture that is no step and that no file gets, until finishGesture()
+    // makes it one. Whatever else is done to the model takes it back. Who makes an edit from the objects of
+    // the scene calls endPreview() before looking at them. Returns the gesture's number; 0: there is nothing
+    // to show.
+    [[nodiscard]] int preview(const Edit& edit, const QString& text);
+    void endPreview();
+    [[nodiscard]] bool isPreviewing() const { return running_ && running_->isPreview; }
+
     // The running gesture is kept outside the stack until it ends: by finishGesture(), or by whatever else
     // uses the stack.
     void finishGesture(int gesture);
@@ -68,16 +78,19 @@ private:
         int gesture = 0;
         Edit edit;  // applied: holds its inverse
         QString text;
+        bool isPreview = false;
     };
+    [[nodiscard]] bool isDragging() const { return running_ && !running_->isPreview; }
     void swapIn(Edit& edit);
     void finishRunning();
-    void replace(Scene scene, const std::filesystem::path& file, const QString& title);
+    void replace(Scene scene, const std::filesystem::path& file, const QString& title, bool isImported);
 
     Scene scene_;
     QUndoStack undoStack_;
     std::optional<Running> running_;
     std::filesystem::path file_;
     QString title_;
+    bool isImported_ = false;
     int lastGesture_ = 0;
 };
 

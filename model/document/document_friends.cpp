@@ -4,6 +4,8 @@ namespace knotspan {
 
 DocumentFriends::DocumentFriends(Document& document, QObject* parent) : QObject(parent), document_(document)
 {
+    connect(&document_, &Document::documentReplaced, this,
+            [this] { setTolerances(defaultTolerances(document_.isImported())); });
     connect(&document_, &Document::sceneChanged, this, &DocumentFriends::growStale);
 }
 

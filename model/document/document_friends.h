@@ -23,7 +23,7 @@ public:
     [[nodiscard]] bool isStale() const { return stale_; }
 
     [[nodiscard]] const FriendTolerances& tolerances() const { return friends_.tolerances(); }
-    void setTolerances(const FriendTolerances& tolerances);
+    void setTolerances(const FriendTolerances& tolerances);  // until another model is opened
 
 Q_SIGNALS:
     void changed();  // friends() may say something else than before

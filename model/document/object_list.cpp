@@ -64,6 +64,7 @@ bool ObjectList::setData(const QModelIndex& index, const QVariant& value, int ro
 {
     if (!checkIndex(index, CheckIndexOption::IndexIsValid))
         return false;
+    document_.endPreview();
     const Row row = rows_[static_cast<size_t>(index.row())];
     auto changed = std::make_shared<SceneObject>(*row.object);
     QString step;

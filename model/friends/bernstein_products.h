@@ -19,7 +19,7 @@ using Scalars = Poly<double>;
 using Vectors = Poly<Vec3>;
 
 // C(n, 0) ... C(n, n); n up to kMaxFormDegree.
-constexpr int kMaxFormDegree = 448;  // rational surfaces of degree 15 need 420
+constexpr int kMaxFormDegree = 840;  // what curvatures along rational rows of kMaxEdgeDegree need
 [[nodiscard]] const std::vector<double>& binomials(int n);
 
 // Coefficients of the Bernstein basis from scaled ones, and back.

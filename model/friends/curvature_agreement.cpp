@@ -1,5 +1,8 @@
 #include "model/friends/curvature_agreement.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace knotspan {
 
 namespace {
@@ -49,11 +52,25 @@ bool agrees(const Form& form, const CurvatureLimits& limits)
 
 }  // namespace
 
-CurvatureAgreement curvatureAgreement(std::vector<FormPiece> pieces, const CurvatureLimits& limits)
+std::optional<CurvatureAgreement> curvatureAgreement(size_t parts, const CurvatureForms& formOf,
+                                                     const CurvatureLimits& limits)
 {
+    struct Piece {
+        Form form;
+        size_t part;
+        double from;
+        double to;
+    };
+    std::vector<Piece> pieces;
+    for (size_t part = 0; part < parts; ++part) {
+        auto form = formOf(part, 0, 1);
+        if (!form)
+            return std::nullopt;
+        pieces.push_back({*std::move(form), part, 0, 1});
+    }
     CurvatureAgreement result;
     double worst = -1;
-    const auto note = [&](const FormPiece& piece, const Vec4& figures, double tau) {
+    const auto note = [&](const Piece& piece, const Vec4& figures, double tau) {
         const Excess excess = excessAt(figures, limits);
         result.difference = std::max(result.difference, excess.difference);
         if (excess.share > worst) {
@@ -62,26 +79,30 @@ CurvatureAgreement curvatureAgreement(std::vector<FormPiece> pieces, const Curva
             result.tau = tau;
         }
     };
-    const auto noteEnds = [&](const FormPiece& piece) {
+    const auto noteEnds = [&](const Piece& piece) {
         note(piece, piece.form.front(), piece.from);
         note(piece, piece.form.back(), piece.to);
     };
-    for (const FormPiece& piece : pieces)
+    for (const Piece& piece : pieces)
         noteEnds(piece);
     const size_t mostHalvings = 300 + 8 * pieces.size();
     for (size_t halvings = 0; !pieces.empty();) {
-        const bool first = pieces.back().from == 0.0 && pieces.back().to == 1.0;
-        if (!first && worst > 1)
-            pieces.pop_back();  // each part is looked at in its middle as well
-        else if (agrees(pieces.back().form, limits) && !first)
-            pieces.pop_back();
-        else if (++halvings > mostHalvings)
+        const Piece piece = std::move(pieces.back());
+        pieces.pop_back();
+        const bool whole = piece.from == 0.0 && piece.to == 1.0;
+        // Each part is looked at in its middle as well.
+        if (!whole && (worst > 1 || agrees(piece.form, limits)))
+            continue;
+        if (++halvings > mostHalvings)
             return result;
-        else {
-            FormPiece second = pieces.back().halved();
-            noteEnds(second);
-            pieces.push_back(std::move(second));
-        }
+        const double middle = (piece.from + piece.to) / 2;
+        auto first = formOf(piece.part, piece.from, middle);
+        auto second = formOf(piece.part, middle, piece.to);
+        if (!first || !second)
+            return result;
+        pieces.push_back({*std::move(first), piece.part, piece.from, middle});
+        pieces.push_back({*std::move(second), piece.part, middle, piece.to});
+        noteEnds(pieces.back());
     }
     result.certain = worst <= 1;
     return result;

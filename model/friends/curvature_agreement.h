@@ -5,7 +5,10 @@
 // guarantee curvature continuity of blend surfaces, J. Mech. Des. 114 (1992).
 #pragma once
 
-#include "model/friends/certain_maximum.h"
+#include <functional>
+#include <optional>
+
+#include "model/friends/bernstein_products.h"
 
 namespace knotspan {
 
@@ -22,8 +25,12 @@ struct CurvatureAgreement {
     double tau = 0;
 };
 
-// Of forms made by curvatureForm().
-[[nodiscard]] CurvatureAgreement curvatureAgreement(std::vector<FormPiece> pieces,
-                                                    const CurvatureLimits& limits);
+// curvatureForm() of a matched part from one tau to another. Made anew for each piece: where edges' speeds
+// and normals vary much, small figures of a whole part would drown in the rounding of large ones.
+using CurvatureForms = std::function<std::optional<Form>(size_t part, double from, double to)>;
+
+// Of so many parts. Nothing where one of them has no form.
+[[nodiscard]] std::optional<CurvatureAgreement> curvatureAgreement(size_t parts, const CurvatureForms& formOf,
+                                                                   const CurvatureLimits& limits);
 
 }  // namespace knotspan

@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "model/analysis/bezier_curves.h"
 #include "model/friends/nearest_place.h"
 #include "model/friends/piece_matching.h"
 
@@ -18,6 +19,7 @@ MatchingLengths matchingLengths(const EdgeStrip& a, const EdgeStrip& b, double g
     lengths.reach = 3 * lengths.gap;
     lengths.shortest = std::min(10 * lengths.gap, std::min(a.length(), b.length()) / 2);
     lengths.slip = std::max(0.003 * lengths.gap, 4 * rounding);
+    lengths.point = lengths.slip / 10;
     return lengths;
 }
 
@@ -63,8 +65,10 @@ public:
     {
         std::vector<MatchedRun> result;
         for (std::vector<MatchedPart>& chain : chains(allParts())) {
-            MatchedRun run{std::move(chain), true};
+            MatchedRun run{std::move(chain)};
             trim(run);
+            for (size_t k = 1; k < run.parts.size(); ++k)
+                run.hasHole = run.hasHole || holeBetween(run.parts[k - 1], run.parts[k]) > 2 * lengths_.point;
             const double least = run.withinGap ? lengths_.shortest : 3 * lengths_.shortest;
             if (lengthOf(run) >= least)
                 result.push_back(std::move(run));
@@ -81,7 +85,7 @@ private:
             for (size_t k = sameEdge ? i + 1 : 0; k < b_.pieces.size(); ++k) {
                 const EdgePiece& x = a_.pieces[i];
                 const EdgePiece& y = b_.pieces[k];
-                if (plainlyApart(x, y, lengths_) || std::min(x.length, y.length) <= lengths_.slip)
+                if (plainlyApart(x, y, lengths_) || std::min(x.length, y.length) <= lengths_.point)
                     continue;
                 for (MatchedPart part : matchPieces(x, shifted(y, b_.origin - a_.origin), lengths_)) {
                     part.pieceA = i;
@@ -99,27 +103,39 @@ private:
     {
         return lookAt(a_.pieces[part.pieceA].rows.at, t).at;
     }
-    Vec3 placeB(const MatchedPart& part, double t) const
+    // What is left out of an edge between a place on one piece and one on this or a later piece.
+    static double wayBetween(const EdgeStrip& strip, size_t piece, double t, size_t nextPiece, double nextT)
     {
-        return lookAt(b_.pieces[part.pieceB].rows.at, t).at;
+        double length = 0;
+        for (size_t k = piece; k <= nextPiece; ++k) {
+            const double from = k == piece ? t : 0;
+            const double to = k == nextPiece ? nextT : 1;
+            if (from == to)
+                continue;
+            const std::vector<Vec4> left = part(strip.pieces[k].rows.at, from, to);
+            for (size_t i = 0; i + 1 < left.size(); ++i)
+                length += glm::distance(pointOf(left[i]), pointOf(left[i + 1]));
+        }
+        return length;
     }
 
-    // Whether a chain that ends with `last` goes on with `next`.
+    // Of a or of b, whichever is longer; infinite where `next` does not go on from `last`.
+    double holeBetween(const MatchedPart& last, const MatchedPart& next) const
+    {
+        constexpr double kNone = std::numeric_limits<double>::infinity();
+        const bool reversed = last.toB < last.fromB;
+        if (reversed != (next.toB < next.fromB) || next.pieceA < last.pieceA)
+            return kNone;
+        if (reversed ? next.pieceB > last.pieceB : next.pieceB < last.pieceB)
+            return kNone;
+        const double onA = wayBetween(a_, last.pieceA, last.toA, next.pieceA, next.fromA);
+        const double onB = reversed ? wayBetween(b_, next.pieceB, next.fromB, last.pieceB, last.toB)
+                                    : wayBetween(b_, last.pieceB, last.toB, next.pieceB, next.fromB);
+        return std::max(onA, onB);
+    }
     bool follows(const MatchedPart& last, const MatchedPart& next) const
     {
-        const bool reversed = last.toB < last.fromB;
-        if (reversed != (next.toB < next.fromB))
-            return false;
-        const double onB[] = {static_cast<double>(last.pieceB) + last.toB,
-                              static_cast<double>(next.pieceB) + next.fromB};
-        constexpr double kSlack = 1e-6;
-        if (reversed ? onB[1] > onB[0] + kSlack : onB[1] < onB[0] - kSlack)
-            return false;
-        const double hole = 4 * lengths_.reach;
-        return static_cast<double>(next.pieceA) + next.fromA >=
-                   static_cast<double>(last.pieceA) + last.toA - kSlack &&
-               glm::distance(placeA(last, last.toA), placeA(next, next.fromA)) <= hole &&
-               glm::distance(placeB(last, last.toB), placeB(next, next.fromB)) <= hole;
+        return holeBetween(last, next) <= 4 * lengths_.slip;
     }
 
     std::vector<std::vector<MatchedPart>> chains(const std::vector<MatchedPart>& parts) const

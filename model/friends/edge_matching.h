@@ -1,6 +1,6 @@
 // Which parts of two edges run together, and which point of one belongs to which of the other.
 //
-// Matched points are the nearest ones, to 0.3 % of the gap tolerance; between the ends of a matched part the
+// Matched points are the nearest ones, to 0.6 % of the gap tolerance; between the ends of a matched part the
 // parameters follow a projective map, which is exact for the reparametrizations that keep a rational curve's
 // degree and third-order otherwise.
 #pragma once
@@ -15,6 +15,7 @@ struct MatchingLengths {
     double reach = 0;     // up to here edges count as run together, if badly
     double shortest = 0;  // of a part worth naming
     double slip = 0;      // of matched points along the edge
+    double point = 0;     // shorter parts of edges are as good as points
 };
 [[nodiscard]] MatchingLengths matchingLengths(const EdgeStrip& a, const EdgeStrip& b, double gap);
 
@@ -37,10 +38,12 @@ struct MatchedPart {
 // How far matched points are apart.
 [[nodiscard]] double gapAt(const EdgeStrip& a, const EdgeStrip& b, const MatchedPart& part, double tau);
 
-// A chain of parts, a's parameter rising.
+// A chain of parts, a's parameter rising, each beginning where the one before ends, on both edges.
 struct MatchedRun {
     std::vector<MatchedPart> parts;
     bool withinGap = true;  // somewhere, its ends included; otherwise nowhere
+    // Between two parts something is not matched: more than rounding, less than a few slips.
+    bool hasHole = false;
 };
 
 // All runs that are within the gap tolerance at both ends, long enough to be named, and nowhere further apart

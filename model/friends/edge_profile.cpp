@@ -1,5 +1,6 @@
 #include "model/friends/edge_profile.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -7,6 +8,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "model/core/check.h"
+#include "model/friends/scene_friends.h"
 #include "model/geometry/evaluation.h"
 
 namespace knotspan {
@@ -22,33 +24,36 @@ struct Place {
 // One edge's part in model space.
 class Part {
 public:
-    Part(const SceneObject& object, const EdgePart& part) : object_(object), part_(part)
-    {
-        const bool atEnd = part.side == Side::endU || part.side == Side::endV;
-        const KnotVector& across = alongV() ? object.surface.knotsU() : object.surface.knotsV();
-        fixed_ = atEnd ? across.domainEnd() : across.domainStart();
-        outwards_ = atEnd ? 1 : -1;
-    }
+    Part(const SceneObject& object, const EdgePart& part) : object_(object), part_(part) {}
 
     [[nodiscard]] Place look(double parameter) const
     {
-        const SurfacePoint point = alongV() ? evaluate(object_.surface, fixed_, parameter)
-                                            : evaluate(object_.surface, parameter, fixed_);
-        const Vec3 along = alongV() ? point.dv : point.du;
-        const Vec3 across = alongV() ? point.du : point.dv;
+        const Vec2 at = parametersOn(object_, part_, parameter);
+        const Vec2 way = wayAt(parameter);
+        const SurfacePoint point = evaluate(object_.surface, at.x, at.y);
         const Mat4& m = object_.transform;
-        return {Vec3(m * Vec4(point.position, 1)), Vec3(m * Vec4(along, 0)),
-                Vec3(m * Vec4(outwards_ * across, 0))};
+        return {Vec3(m * Vec4(point.position, 1)), Vec3(m * Vec4(way.x * point.du + way.y * point.dv, 0)),
+                Vec3(m * Vec4(sign() * (way.y * point.du - way.x * point.dv), 0))};
     }
     [[nodiscard]] Vec3 at(double parameter) const { return look(parameter).at; }
 
+    // 1 where the surface lies to the left of the way, seen in (u, v); else -1.
+    [[nodiscard]] double sign() const
+    {
+        return !part_.trim && (part_.side == Side::startU || part_.side == Side::endV) ? -1 : 1;
+    }
+
 private:
-    [[nodiscard]] bool alongV() const { return part_.side == Side::startU || part_.side == Side::endU; }
+    // The derivative of (u, v) by the parameter.
+    [[nodiscard]] Vec2 wayAt(double parameter) const
+    {
+        if (part_.trim)
+            return object_.trimLoops[part_.trim->loop].curves[part_.trim->curve].derivative(parameter);
+        return part_.side == Side::startU || part_.side == Side::endU ? Vec2(0, 1) : Vec2(1, 0);
+    }
 
     const SceneObject& object_;
     EdgePart part_;
-    double fixed_ = 0;
-    double outwards_ = 1;
 };
 
 double mixed(const EdgePart& part, double t)
@@ -125,9 +130,14 @@ std::vector<EdgeSample> edgeProfile(const SceneObject& a, const SceneObject& b, 
     const Part partA(a, edge.a);
     const Part partB(b, edge.b);
     const NearestOn nearest(partB, edge.b);
+    std::vector<double> parameters;
+    for (int k = 0; k < samples; ++k)
+        parameters.push_back(mixed(edge.a, double(k) / (samples - 1)));
+    const auto next = std::lower_bound(parameters.begin(), parameters.end(), edge.worst);
+    if (next != parameters.begin() && next != parameters.end() && *next != edge.worst)
+        parameters.insert(next, edge.worst);
     std::vector<EdgeSample> profile;
-    for (int k = 0; k < samples; ++k) {
-        const double parameter = mixed(edge.a, double(k) / (samples - 1));
+    for (const double parameter : parameters) {
         const Place here = partA.look(parameter);
         const Place there = partB.look(nearest.parameter(here.at));
         profile.push_back({parameter, glm::length(there.at - here.at), angleBetween(here, there)});
@@ -135,11 +145,11 @@ std::vector<EdgeSample> edgeProfile(const SceneObject& a, const SceneObject& b, 
     return profile;
 }
 
-Vec3 normalOn(const SceneObject& object, const EdgePart& part, double parameter)
+Vec3 normalOn(const SceneObject& object, const EdgePart& edge, double parameter)
 {
-    const Place place = Part(object, part).look(parameter);
-    const bool swapped = part.side == Side::startU || part.side == Side::endV;
-    return (swapped ? -1.0 : 1.0) * glm::cross(place.outward, place.along);
+    const Part part(object, edge);
+    const Place place = part.look(parameter);
+    return part.sign() * glm::cross(place.outward, place.along);
 }
 
 }  // namespace knotspan

@@ -17,7 +17,8 @@ struct EdgeSample {
     std::optional<double> angleDeg;
 };
 
-// From one end of edge.a to the other, evenly in its parameter; at least two.
+// From one end of edge.a to the other, evenly in its parameter, at least two; and one more where the edge is
+// worst, if that lies between them.
 [[nodiscard]] std::vector<EdgeSample> edgeProfile(const SceneObject& a, const SceneObject& b,
                                                   const FriendEdge& edge, int samples);
 

@@ -7,6 +7,7 @@
 #include <glm/mat3x3.hpp>
 
 #include "model/analysis/bezier_curves.h"
+#include "model/friends/trim_strips.h"
 
 namespace knotspan {
 
@@ -55,6 +56,11 @@ struct Net {
     }
 };
 
+bool isTrimmed(const PlacedSurface& placed)
+{
+    return placed.trimLoops != nullptr && !placed.trimLoops->empty();
+}
+
 using Rows = std::array<std::vector<Vec4>, 3>;
 
 // The edge's B-spline curve and those of its derivatives into the surface.
@@ -97,7 +103,7 @@ std::vector<Vec4> onSpan(const std::vector<double>& matrix, const std::vector<Ve
     return result;
 }
 
-// Weights near 1, or all 1.
+// Weights of 1 at most, or all 1.
 void scaleWeights(EdgeRows& rows)
 {
     double heaviest = 0;
@@ -118,28 +124,6 @@ void scaleWeights(EdgeRows& rows)
         }
 }
 
-void describe(EdgePiece& piece, const Vec3& origin)
-{
-    const auto& points = piece.rows.at;
-    for (const Vec4& point : points)
-        piece.box.add(origin + pointOf(point));
-    const Vec3 chord = pointOf(points.back()) - pointOf(points.front());
-    const double size = glm::length(chord);
-    piece.axis = size > 0 ? chord / size : Vec3(0);
-    for (size_t k = 0; k + 1 < points.size(); ++k) {
-        const Vec3 leg = pointOf(points[k + 1]) - pointOf(points[k]);
-        const double length = glm::length(leg);
-        piece.length += length;
-        if (length > 0)
-            piece.spread =
-                std::max(piece.spread, std::acos(std::clamp(glm::dot(leg, piece.axis) / length, -1.0, 1.0)));
-    }
-    if (!(piece.spread < std::numbers::pi / 2))
-        piece.spread = std::numbers::pi;
-    for (size_t k = 0; k < kEdgeSamples; ++k)
-        piece.samples[k] = pointOf(part(points, 0, static_cast<double>(k) / (kEdgeSamples - 1)).back());
-}
-
 EdgeStrip stripOf(const Net& net, bool atEnd, const std::vector<std::vector<double>>& matrices)
 {
     EdgeStrip strip;
@@ -154,12 +138,28 @@ EdgeStrip stripOf(const Net& net, bool atEnd, const std::vector<std::vector<doub
         piece.rows.at = onSpan(matrices[n], rows[0], along.degree(), span);
         piece.rows.into = onSpan(matrices[n], rows[1], along.degree(), span);
         piece.rows.bend = onSpan(matrices[n], rows[2], along.degree(), span);
-        scaleWeights(piece.rows);
-        describe(piece, strip.origin);
-        strip.box.add(piece.box);
+        complete(piece, strip.origin);
         strip.pieces.push_back(std::move(piece));
     }
     return strip;
+}
+
+// In the order of `Side`.
+std::vector<EdgeStrip> sideStrips(const PlacedSurface& placed)
+{
+    const NurbsSurface& surface = *placed.surface;
+    std::vector<EdgeStrip> strips;
+    for (const bool acrossU : {true, false}) {
+        const Net net{surface, acrossU, surface.bounds().centre(), placed.transform};
+        std::vector<std::vector<double>> matrices;
+        for (const int span : net.along().spans())
+            matrices.push_back(bezierMatrix(net.along(), span));
+        for (const bool atEnd : {false, true}) {
+            strips.push_back(stripOf(net, atEnd, matrices));
+            strips.back().edge.side = static_cast<Side>((acrossU ? 0 : 2) + (atEnd ? 1 : 0));
+        }
+    }
+    return strips;
 }
 
 }  // namespace
@@ -187,26 +187,55 @@ bool EdgeStrip::sameAs(const EdgeStrip& other) const
                       });
 }
 
-std::array<EdgeStrip, 4> edgeStrips(std::uint32_t index, const PlacedSurface& placed)
+void complete(EdgePiece& piece, const Vec3& origin)
 {
-    const NurbsSurface& surface = *placed.surface;
-    std::array<EdgeStrip, 4> strips;
-    const Box box = transformed(surface.bounds(), placed.transform);
-    for (const bool acrossU : {true, false}) {
-        const Net net{surface, acrossU, surface.bounds().centre(), placed.transform};
-        std::vector<std::vector<double>> matrices;
-        for (const int span : net.along().spans())
-            matrices.push_back(bezierMatrix(net.along(), span));
-        for (const bool atEnd : {false, true}) {
-            const auto side = static_cast<Side>((acrossU ? 0 : 2) + (atEnd ? 1 : 0));
-            EdgeStrip& strip = strips[static_cast<size_t>(side)];
-            strip = stripOf(net, atEnd, matrices);
-            strip.surface = index;
-            strip.side = side;
-            strip.size = box.diagonal();
-            for (int axis = 0; axis < 3; ++axis)
-                strip.reach = std::max({strip.reach, std::abs(box.low[axis]), std::abs(box.high[axis])});
-        }
+    scaleWeights(piece.rows);
+    const auto& points = piece.rows.at;
+    for (const Vec4& point : points)
+        piece.box.add(origin + pointOf(point));
+    const Vec3 chord = pointOf(points.back()) - pointOf(points.front());
+    const double size = glm::length(chord);
+    piece.axis = size > 0 ? chord / size : Vec3(0);
+    for (size_t k = 0; k + 1 < points.size(); ++k) {
+        const Vec3 leg = pointOf(points[k + 1]) - pointOf(points[k]);
+        const double length = glm::length(leg);
+        piece.length += length;
+        if (length > 0)
+            piece.spread =
+                std::max(piece.spread, std::acos(std::clamp(glm::dot(leg, piece.axis) / length, -1.0, 1.0)));
+    }
+    if (!(piece.spread < std::numbers::pi / 2))
+        piece.spread = std::numbers::pi;
+    for (size_t k = 0; k < kEdgeSamples; ++k)
+        piece.samples[k] = pointOf(part(points, 0, static_cast<double>(k) / (kEdgeSamples - 1)).back());
+}
+
+size_t edgeCount(const PlacedSurface& placed)
+{
+    if (!isTrimmed(placed))
+        return 4;
+    size_t count = 0;
+    for (const TrimLoop& loop : *placed.trimLoops)
+        count += loop.curves.size();
+    return count;
+}
+
+std::vector<EdgeStrip> edgeStrips(std::uint32_t index, const PlacedSurface& placed, double deviation)
+{
+    const Box box = transformed(placed.surface->bounds(), placed.transform);
+    constexpr double kRounding = 1e-12;
+    std::vector<EdgeStrip> strips = isTrimmed(placed)
+                                        ? trimStrips(placed, std::max(deviation, kRounding * box.diagonal()))
+                                        : sideStrips(placed);
+    for (EdgeStrip& strip : strips) {
+        strip.edge.surface = index;
+        strip.edge.from = strip.pieces.front().from;
+        strip.edge.to = strip.pieces.back().to;
+        strip.size = box.diagonal();
+        for (int axis = 0; axis < 3; ++axis)
+            strip.reach = std::max({strip.reach, std::abs(box.low[axis]), std::abs(box.high[axis])});
+        for (const EdgePiece& piece : strip.pieces)
+            strip.box.add(piece.box);
     }
     return strips;
 }

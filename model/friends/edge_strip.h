@@ -1,12 +1,10 @@
-// One side of a placed surface as Bézier pieces: the edge itself, and how the surface leaves it.
-//
-// This is all that matching and verdicts see of a surface, so whatever gives such pieces (a trim loop's
-// curves, say) can be an edge.
+// An edge of a placed surface as Bézier pieces: the edge itself, and how the surface leaves it. This is all
+// that matching and verdicts see of a surface.
 #pragma once
 
 #include <array>
 
-#include "model/analysis/border_curves.h"
+#include "model/friends/edge_part.h"
 
 namespace knotspan {
 
@@ -26,28 +24,35 @@ struct EdgeRows {
 // With the parameter tau of t / (1 - t) = factor tau / (1 - tau), up to weights that all rows share.
 void projective(std::vector<Vec4>& row, double factor);
 
+// Of rows: that of a surface's side, or of one that a trim curve of degree 1 runs through.
+constexpr int kMaxEdgeDegree = 2 * kMaxDegree;
 constexpr size_t kEdgeSamples = 9;
 
 struct EdgePiece {
     EdgeRows rows;
-    double from = 0;  // the surface's parameter
+    double from = 0;  // as `edge` counts them
     double to = 1;
+    // The rest is told by the rows.
     Box box;            // in model space
     double length = 0;  // of the control polygon, no less than the piece's own
     // Tangents are within `spread` radians of the axis; pi where they point all ways.
     Vec3 axis{0};
     double spread = 0;
-    std::array<Vec3, kEdgeSamples> samples;  // at t = 0, 1/8, ..., 1, relative to the origin
+    std::array<Vec3, kEdgeSamples> samples{};  // at t = 0, 1/8, ..., 1, relative to the origin
 
     [[nodiscard]] double parameterAt(double t) const { return t == 1.0 ? to : from + t * (to - from); }
 };
 
+// Weights scaled to 1 at most, and all that is told by the rows; `origin` is the strip's.
+void complete(EdgePiece& piece, const Vec3& origin);
+
 struct EdgeStrip {
-    std::uint32_t surface = 0;
-    Side side = Side::startU;
+    EdgePart edge;  // the whole of it
     Vec3 origin{0};
     double reach = 0;  // how far from (0, 0, 0) coordinates go, which is what they are rounded by
     double size = 0;   // the surface's diagonal
+    // No point of the true edge is further from the piece's at the same parameter; 0 for a surface's sides.
+    double deviation = 0;
     std::vector<EdgePiece> pieces;
     Box box;
 
@@ -56,7 +61,10 @@ struct EdgeStrip {
     [[nodiscard]] bool sameAs(const EdgeStrip& other) const;
 };
 
-// In the order of `Side`.
-[[nodiscard]] std::array<EdgeStrip, 4> edgeStrips(std::uint32_t index, const PlacedSurface& placed);
+// In the order of `Side`; of a trimmed surface, in the order of its loops and their curves. Trim curves may
+// be replaced by others that deviate by no more than `deviation`.
+[[nodiscard]] std::vector<EdgeStrip> edgeStrips(std::uint32_t index, const PlacedSurface& placed,
+                                                double deviation);
+[[nodiscard]] size_t edgeCount(const PlacedSurface& placed);
 
 }  // namespace knotspan

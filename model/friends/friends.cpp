@@ -4,10 +4,10 @@
 #include <cmath>
 #include <map>
 
+#include "model/core/check.h"
 #include "model/friends/box_tree.h"
 #include "model/friends/edge_matching.h"
 #include "model/friends/meeting_verdict.h"
-#include "model/core/check.h"
 
 namespace knotspan {
 
@@ -26,6 +26,31 @@ const char* continuityName(Continuity continuity)
         break;
     }
     return "undetermined";
+}
+
+int smoothnessRank(Continuity continuity)
+{
+    switch (continuity) {
+    case Continuity::none:
+        return 0;
+    case Continuity::undetermined:
+        return 1;
+    case Continuity::g0:
+        return 2;
+    case Continuity::g1:
+        return 3;
+    case Continuity::g2:
+        break;
+    }
+    return 4;
+}
+
+FriendTolerances defaultTolerances(bool imported)
+{
+    FriendTolerances tolerances;
+    if (imported)
+        tolerances.angleDeg = 0.5;
+    return tolerances;
 }
 
 namespace {
@@ -51,9 +76,10 @@ double lengthBetween(const EdgeStrip& strip, double from, double to)
 
 }  // namespace
 
-// Edges are numbered 4 surface + side.
+// Edges are numbered surface after surface.
 struct Friends::State {
     FriendTolerances tolerances;
+    std::vector<std::uint32_t> firstEdges;  // by surface, and one more
     std::vector<EdgeStrip> strips;
     BoxTree tree;
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<FriendEdge>> meetings;
@@ -61,6 +87,7 @@ struct Friends::State {
     std::vector<std::vector<EdgePart>> nakedParts;  // by edge
     std::vector<FriendEdge> edges;
     std::vector<EdgePart> naked;
+    std::vector<EdgePart> tooShort;
 
     // No longer than three tolerances: a point, as far as anybody can tell.
     [[nodiscard]] bool isPoint(const EdgeStrip& strip) const
@@ -81,13 +108,15 @@ struct Friends::State {
     // Whether an edge of it moved; those that did are added.
     void setSurface(std::uint32_t index, const PlacedSurface& placed, Indices& moved)
     {
-        auto made = edgeStrips(index, placed);
-        for (std::uint32_t side = 0; side < 4; ++side) {
-            EdgeStrip& strip = strips[4 * index + side];
-            if (strip.sameAs(made[side]))
+        auto made = edgeStrips(index, placed, 0.001 * tolerances.gap);
+        const std::uint32_t first = firstEdges[index];
+        check(made.size() == firstEdges[index + 1] - first, "a changed surface has as many edges as before");
+        for (std::uint32_t k = 0; k < made.size(); ++k) {
+            EdgeStrip& strip = strips[first + k];
+            if (strip.sameAs(made[k]))
                 continue;
-            strip = std::move(made[side]);
-            moved.push_back(4 * index + side);
+            strip = std::move(made[k]);
+            moved.push_back(first + k);
         }
     }
 
@@ -149,7 +178,7 @@ struct Friends::State {
         for (const std::uint32_t partner : partners[edge])
             for (const FriendEdge& meeting : meetings.at({std::min(edge, partner), std::max(edge, partner)}))
                 for (const EdgePart& part : {meeting.a, meeting.b})
-                    if (4 * part.surface + static_cast<std::uint32_t>(part.side) == edge)
+                    if (part.isOnSameEdge(strip.edge))
                         covered.emplace_back(part.from, part.to);
         const double end = strip.pieces.back().to;
         covered.emplace_back(end, end);
@@ -158,7 +187,7 @@ struct Friends::State {
         double from = strip.pieces.front().from;
         for (const auto& [start, stop] : covered) {
             if (start > from && lengthBetween(strip, from, start) >= least)
-                parts.push_back({strip.surface, strip.side, from, start});
+                parts.push_back({strip.edge.surface, strip.edge.side, from, start, strip.edge.trim});
             from = std::max(from, stop);
         }
     }
@@ -168,6 +197,10 @@ struct Friends::State {
         edges.clear();
         for (const auto& [pair, found] : meetings)
             edges.insert(edges.end(), found.begin(), found.end());
+        tooShort.clear();
+        for (const EdgeStrip& strip : strips)
+            if (isPoint(strip) && strip.length() > 1e-9 * strip.size)
+                tooShort.push_back(strip.edge);
         naked.clear();
         for (const auto& parts : nakedParts)
             naked.insert(naked.end(), parts.begin(), parts.end());
@@ -186,9 +219,15 @@ Friends::Friends(const std::vector<PlacedSurface>& surfaces, const FriendToleran
     : state_(std::make_unique<State>())
 {
     state_->tolerances = tolerances;
-    state_->strips.resize(4 * surfaces.size());
-    state_->partners.resize(4 * surfaces.size());
-    state_->nakedParts.resize(4 * surfaces.size());
+    size_t count = 0;
+    for (const PlacedSurface& placed : surfaces) {
+        state_->firstEdges.push_back(static_cast<std::uint32_t>(count));
+        count += edgeCount(placed);
+    }
+    state_->firstEdges.push_back(static_cast<std::uint32_t>(count));
+    state_->strips.resize(count);
+    state_->partners.resize(count);
+    state_->nakedParts.resize(count);
     Indices all;
     for (std::uint32_t index = 0; index < surfaces.size(); ++index)
         state_->setSurface(index, surfaces[index], all);
@@ -205,7 +244,7 @@ void Friends::update(const std::vector<Change>& changes)
     State& state = *state_;
     Indices moved;
     for (const Change& change : changes) {
-        check(4 * change.index < state.strips.size(), "a changed surface is one of those given at first");
+        check(change.index + 1 < state.firstEdges.size(), "a changed surface is one of those given at first");
         state.setSurface(change.index, change.placed, moved);
     }
     sortUnique(moved);
@@ -227,6 +266,11 @@ const std::vector<FriendEdge>& Friends::edges() const
 const std::vector<EdgePart>& Friends::nakedEdges() const
 {
     return state_->naked;
+}
+
+const std::vector<EdgePart>& Friends::shortEdges() const
+{
+    return state_->tooShort;
 }
 
 }  // namespace knotspan

@@ -4,16 +4,16 @@
 // directions, knots and parametrizations of the two sides may differ; one edge may meet several others, or
 // its own surface (a seam).
 //
-// An edge is one whole side of a surface. What is compared are points of both edges that are nearest to each
-// other, to 0.3 % of the gap tolerance. Parts shorter than ten gap tolerances (or than half the shorter edge)
-// do not count, so that edges which only share a corner do not meet; an edge no longer than three is a point:
-// it neither meets anybody nor is it naked.
+// An edge is one whole side of a surface or, of a trimmed one, one curve of a trim loop. What is compared are
+// points of both edges that are nearest to each other, to 0.6 % of the gap tolerance. Parts shorter than ten
+// gap tolerances (or than half the shorter edge) do not count, so that edges which only share a corner do not
+// meet; an edge no longer than three is a point: it neither meets anybody nor is it naked.
 #pragma once
 
 #include <memory>
 #include <vector>
 
-#include "model/analysis/border_curves.h"
+#include "model/friends/edge_part.h"
 
 namespace knotspan {
 
@@ -27,6 +27,8 @@ enum class Continuity {
     undetermined,
 };
 [[nodiscard]] const char* continuityName(Continuity continuity);  // "none", "G0", "G1", "G2", "undetermined"
+// From the worst on: none, undetermined, G0, G1, G2.
+[[nodiscard]] int smoothnessRank(Continuity continuity);
 
 struct FriendTolerances {
     double gap = 1e-3;      // model units
@@ -36,15 +38,8 @@ struct FriendTolerances {
     double curvature = 0.01;
     [[nodiscard]] bool operator==(const FriendTolerances&) const = default;
 };
-
-// A part of one edge of a surface: between two parameters of the surface, from < to, along `side`.
-struct EdgePart {
-    std::uint32_t surface = 0;
-    Side side = Side::startU;
-    double from = 0;
-    double to = 0;
-    [[nodiscard]] bool operator==(const EdgePart&) const = default;
-};
+// What other programs wrote need not be smoother than what they call smooth: half a degree.
+[[nodiscard]] FriendTolerances defaultTolerances(bool imported);
 
 // Its ends are within the gap tolerance, or no point of it is (`none`, from thirty gap tolerances' length
 // on).
@@ -81,7 +76,7 @@ public:
 
     using Change = SurfaceChange;
     // Looks again only at edges that moved and at what they met or meet now. The result is as if all were
-    // made anew, to the bit.
+    // made anew, to the bit. Each surface has as many edges as before.
     void update(const std::vector<Change>& changes);
 
     // By the surface and side of a, then of b, then by where on a; a is before b.
@@ -89,6 +84,9 @@ public:
     // Parts of edges that nobody runs along, not even at three gap tolerances: what is listed as `none` is
     // not listed here again. Increasing.
     [[nodiscard]] const std::vector<EdgePart>& nakedEdges() const;
+    // Edges that take no part only because the gap tolerance is so large: no longer than three of it, but
+    // longer than 1e-9 of their surface. Increasing.
+    [[nodiscard]] const std::vector<EdgePart>& shortEdges() const;
 
 private:
     struct State;

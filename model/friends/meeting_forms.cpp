@@ -1,9 +1,12 @@
 #include "model/friends/meeting_forms.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include <glm/geometric.hpp>
+
+#include "model/analysis/bezier_curves.h"
 
 namespace knotspan {
 
@@ -84,13 +87,14 @@ Scalars height(const Plane& plane, const std::vector<Vec4>& row)
     return plane.offset.empty() ? straight : sum(straight, plane.offset * weightsOf(row));
 }
 
-// w^2 times the tangent: of one degree less than the quotient rule has it, as its first terms cancel.
-Vectors tangentOf(const EdgeRows& rows)
+// w^2 times the tangent of rows.at: of one degree less than the quotient rule has it, as its first terms
+// cancel.
+Vectors tangentOf(const std::vector<Vec4>& at, bool rational)
 {
-    if (!rows.rational)
-        return vectorsOf(derivative(rows.at));
-    const std::vector<Vec4> low(rows.at.begin(), rows.at.end() - 1);
-    const std::vector<Vec4> high(rows.at.begin() + 1, rows.at.end());
+    if (!rational)
+        return vectorsOf(derivative(at));
+    const std::vector<Vec4> low(at.begin(), at.end() - 1);
+    const std::vector<Vec4> high(at.begin() + 1, at.end());
     Vectors result = difference(weightsOf(low) * vectorsOf(high), weightsOf(high) * vectorsOf(low));
     for (Vec3& value : result)
         value *= static_cast<double>(low.size());
@@ -161,7 +165,7 @@ struct Across {
 std::optional<Across> acrossOf(const EdgeRows& rows, double noise)
 {
     const Plane plane = planeOf(rows);
-    const Vectors tangent = tangentOf(rows);
+    const Vectors tangent = tangentOf(rows.at, rows.rational);
     const std::vector<Vec4> change = derivative(rows.at);
     Across result;
     result.speed = dot(tangent, tangent);
@@ -222,13 +226,45 @@ double leastGap(const Form& form)
     return least;
 }
 
+double slipBound(const std::vector<Vec4>& a, const std::vector<Vec4>& b)
+{
+    const bool rational = !hasUnitWeights(a) || !hasUnitWeights(b);
+    const Vectors tangent = tangentOf(b, rational);
+    const Vec3 axis = pointOf(b.back()) - pointOf(b.front());
+    const Vectors way = rational ? difference(weightsOf(a) * vectorsOf(b), weightsOf(b) * vectorsOf(a))
+                                 : difference(vectorsOf(b), vectorsOf(a));
+    const Scalars along = dot(way, tangent);
+    Scalars speed = dot(Vectors{axis / glm::length(axis)}, tangent);
+    if (rational)
+        speed = (weightsOf(a) * weightsOf(b)) * speed;
+    const size_t degree = std::max(along.size(), speed.size()) - 1;
+    const Scalars numerator = raised(along, degree);
+    const Scalars denominator = raised(speed, degree);
+    double bound = 0;
+    for (size_t k = 0; k <= degree; ++k) {
+        if (!(denominator[k] > 0))
+            return std::numeric_limits<double>::infinity();
+        bound = std::max(bound, std::abs(numerator[k]) / denominator[k]);
+    }
+    return bound;
+}
+
 Vectors normalForm(const EdgeRows& rows, const EdgeEnds& ends, double noise)
 {
     const Vectors normal = planeOf(rows).normal;
     const Vanishing zeros = vanishingNormal(rows, normal, noise);
     if ((zeros.first > 0 && !ends.first) || (zeros.last > 0 && !ends.last))
         return {};
-    return divided(normal, zeros);
+    Vectors result = divided(normal, zeros);
+    double size = 0;
+    for (const Vec3& value : result)
+        size = std::max({size, std::abs(value.x), std::abs(value.y), std::abs(value.z)});
+    if (!(size > 0) || !std::isfinite(size))
+        return {};
+    // So that products of tiny or huge ones stay in the range of double.
+    for (Vec3& value : result)
+        value /= size;
+    return result;
 }
 
 Form angleForm(const Vectors& a, const Vectors& b)

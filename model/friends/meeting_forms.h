@@ -17,6 +17,9 @@ namespace knotspan {
 [[nodiscard]] Form gapForm(const std::vector<Vec4>& a, const std::vector<Vec4>& b);
 [[nodiscard]] double gapBound(const Form& form);  // no gap is larger
 [[nodiscard]] double leastGap(const Form& form);  // nor smaller than this
+// No point of b is further along b, to first order, from being nearest to the one matched with it; infinite
+// where b may stand still or turn back.
+[[nodiscard]] double slipBound(const std::vector<Vec4>& a, const std::vector<Vec4>& b);
 
 // Which ends of a part are ends of the edge.
 struct EdgeEnds {
@@ -26,8 +29,8 @@ struct EdgeEnds {
 
 // C' x (derivative into the surface) along an edge, to a positive factor: the normal. Where it vanishes at an
 // end of the edge, as where that runs into a pole, a power of t or 1 - t is divided out, so that the limit
-// stands there. Scaled coefficients; none where it vanishes all along or at an end of the part that is none
-// of the edge. `noise`: how far off coordinates may be by rounding.
+// stands there. Scaled coefficients, of which the largest figure is 1; none where it vanishes all along or at
+// an end of the part that is none of the edge. `noise`: how far off coordinates may be by rounding.
 [[nodiscard]] Vectors normalForm(const EdgeRows& rows, const EdgeEnds& ends, double noise);
 
 // (x, y, z) = n_a x n_b, w = n_a . n_b, n_b turned so that surfaces that run on have equal normals: the

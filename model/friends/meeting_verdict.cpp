@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "model/analysis/bezier_curves.h"
 #include "model/friends/certain_maximum.h"
 #include "model/friends/curvature_agreement.h"
 #include "model/friends/meeting_forms.h"
@@ -61,7 +62,8 @@ public:
     FriendEdge measured()
     {
         FriendEdge edge = placed();
-        const CertainMaximum gap = gapMaximum();
+        CertainMaximum gap = gapMaximum();
+        gap.bound += a_.deviation + b_.deviation;
         edge.gapMax = gap.bound;
         const CertainMaximum angle = angleMaximum();
         edge.angleMaxDeg = angle.attained * kDegrees;
@@ -72,7 +74,7 @@ public:
             return judged(edge, Continuity::undetermined, gap.part, gap.tau);
         if (edge.angleMaxDeg > tolerances_.angleDeg)
             return judged(edge, Continuity::g0, angle.part, angle.tau);
-        if (edge.angleBoundDeg > tolerances_.angleDeg)
+        if (edge.angleBoundDeg > tolerances_.angleDeg || run_.hasHole)
             return judged(edge, Continuity::undetermined, angle.part, angle.tau);
         const auto curvature = agreement(angle.bound);
         if (!curvature)
@@ -89,10 +91,12 @@ private:
         const MatchedPart& first = run_.parts.front();
         const MatchedPart& last = run_.parts.back();
         edge.reversed = first.toB < first.fromB;
-        edge.a = {a_.surface, a_.side, a_.pieces[first.pieceA].parameterAt(first.fromA),
-                  a_.pieces[last.pieceA].parameterAt(last.toA)};
-        edge.b = {b_.surface, b_.side, b_.pieces[first.pieceB].parameterAt(first.fromB),
-                  b_.pieces[last.pieceB].parameterAt(last.toB)};
+        edge.a = a_.edge;
+        edge.a.from = a_.pieces[first.pieceA].parameterAt(first.fromA);
+        edge.a.to = a_.pieces[last.pieceA].parameterAt(last.toA);
+        edge.b = b_.edge;
+        edge.b.from = b_.pieces[first.pieceB].parameterAt(first.fromB);
+        edge.b.to = b_.pieces[last.pieceB].parameterAt(last.toB);
         if (edge.reversed)
             std::swap(edge.b.from, edge.b.to);
         return edge;
@@ -140,23 +144,38 @@ private:
         }
         if (pole < rows_.size()) {
             result.bound = std::numbers::pi;
-            result.part = pole;
-            result.tau = 0;
+            if (result.attained <= tolerances_.angleDeg / kDegrees) {
+                result.part = pole;
+                result.tau = vanishingEnd(rows_[pole]);
+            }
         }
         return result;
     }
 
+    // The end of a part where a normal is shorter than at its other one.
+    static double vanishingEnd(const RowsPair& rows)
+    {
+        const auto lengthAt = [](const EdgeRows& side, bool last) {
+            const size_t k = last ? side.at.size() - 1 : 0;
+            const size_t next = last ? k - 1 : 1;
+            const Vec3 here = pointOf(side.at[k]);
+            return glm::length(
+                glm::cross(pointOf(side.at[next]) - here, Vec3(side.into[k]) - side.into[k].w * here));
+        };
+        const auto shareOfLast = [&](const EdgeRows& side) {
+            return lengthAt(side, true) / (lengthAt(side, false) + lengthAt(side, true));
+        };
+        const double shares[] = {shareOfLast(rows.a), shareOfLast(rows.b)};
+        return std::min(shares[0], shares[1]) < std::min(1 - shares[0], 1 - shares[1]) ? 1 : 0;
+    }
+
     std::optional<CurvatureAgreement> agreement(double angle) const
     {
-        std::vector<FormPiece> pieces;
-        for (size_t k = 0; k < rows_.size(); ++k) {
-            auto form = curvatureForm(rows_[k].a, rows_[k].b, noise_);
-            if (!form)
-                return std::nullopt;
-            pieces.push_back({*std::move(form), k});
-        }
+        const auto formOf = [this](size_t k, double from, double to) {
+            return curvatureForm(part(rows_[k].a, from, to), part(rows_[k].b, from, to), noise_);
+        };
         const double size = std::max(a_.size, b_.size);
-        return curvatureAgreement(std::move(pieces), {tolerances_.curvature, 0.1 / size, angle});
+        return curvatureAgreement(rows_.size(), formOf, {tolerances_.curvature, 0.1 / size, angle});
     }
 
     const EdgeStrip& a_;

@@ -10,7 +10,7 @@ namespace knotspan {
 
 CurvePoint lookAt(const std::vector<Vec4>& curve, double t)
 {
-    std::array<Vec4, kMaxDegree + 1> points;
+    std::array<Vec4, kMaxEdgeDegree + 1> points;
     std::copy(curve.begin(), curve.end(), points.begin());
     const size_t degree = curve.size() - 1;
     for (size_t level = degree; level > 1; --level)

@@ -24,17 +24,10 @@ ShiftedPiece shifted(const EdgePiece& piece, const Vec3& by)
 
 bool plainlyApart(const EdgePiece& a, const EdgePiece& b, const MatchingLengths& lengths)
 {
-    const double half = lengths.reach / 2;
-    double square = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-        const double common = std::min(a.box.high[axis], b.box.high[axis]) + half -
-                              (std::max(a.box.low[axis], b.box.low[axis]) - half);
-        if (!(common >= 0))
+    for (int axis = 0; axis < 3; ++axis)
+        if (!(std::max(a.box.low[axis], b.box.low[axis]) <=
+              std::min(a.box.high[axis], b.box.high[axis]) + lengths.reach))
             return true;
-        square += common * common;
-    }
-    if (square < 4 * lengths.reach * lengths.reach)
-        return true;
     // Chords of parts that run together differ by 2 reach at most, and lie within both cones of tangents.
     if (std::min(a.length, b.length) < lengths.shortest)
         return false;
@@ -59,6 +52,7 @@ public:
         : a_(a.rows.at),
           aSamples_(a.samples),
           b_(b),
+          isClosed_(glm::distance(pointOf(b.curve.front()), pointOf(b.curve.back())) <= lengths.point),
           lengths_(lengths)
     {
     }
@@ -84,9 +78,9 @@ private:
     [[nodiscard]] NearestPlace snapped(const std::vector<Vec4>& curve, NearestPlace place) const
     {
         const Vec3 at = lookAt(curve, place.t).at;
-        if (glm::distance(at, pointOf(curve.front())) <= lengths_.slip / 10)
+        if (glm::distance(at, pointOf(curve.front())) <= lengths_.point)
             place.t = 0;
-        else if (glm::distance(at, pointOf(curve.back())) <= lengths_.slip / 10)
+        else if (glm::distance(at, pointOf(curve.back())) <= lengths_.point)
             place.t = 1;
         return place;
     }
@@ -97,8 +91,25 @@ private:
         return {s, place.t, place.distance};
     }
 
-    void between(const Joint& low, const Joint& high, int depth)
+    // Where b begins and ends in one point, the nearest place there may be either.
+    [[nodiscard]] Joint turned(Joint joint, bool isHigh) const
     {
+        if (!isClosed_ || (joint.t != 0.0 && joint.t != 1.0))
+            return joint;
+        const Vec3 slope = lookAt(a_, joint.s).slope;
+        const auto runsAlong = [&](double t) { return glm::dot(slope, lookAt(b_.curve, t).slope) > 0; };
+        // b rises towards its end or from its start, or falls from its end or towards its start.
+        const bool atEnd = runsAlong(1) == isHigh;
+        const bool atStart = runsAlong(0) != isHigh;
+        if (atEnd != atStart)
+            joint.t = atEnd ? 1 : 0;
+        return joint;
+    }
+
+    void between(const Joint& from, const Joint& to, int depth)
+    {
+        const Joint low = turned(from, false);
+        const Joint high = turned(to, true);
         if (!(low.s < high.s) || looks_ >= kMostLooks)
             return;
         ++looks_;
@@ -109,6 +120,9 @@ private:
             return;
         }
         const Joint middle = jointAt(low.s + (high.s - low.s) / 2);
+        // Nearest to all of it is one end of b, which it runs towards or away from.
+        if (low.t == high.t && middle.t == low.t && (low.t == 0.0 || low.t == 1.0))
+            return;
         const Vec3 centre = lookAt(a_, middle.s).at;
         double radius = 0;
         for (const Vec4& point : curve)
@@ -140,27 +154,32 @@ private:
         if (place.t < 0.02 || place.t > 0.98)
             return std::nullopt;
         const double away = glm::distance(lookAt(other, place.t).at, lookAt(other, 0.5).at);
-        if (away > lengths_.slip / 10) {
+        if (away > lengths_.point) {
             result.factor = place.t / (1 - place.t);
             projective(other, result.factor);
         }
-        for (const double tau : {0.25, 0.5, 0.75}) {
-            const CurvePoint x = lookAt(curve, tau);
-            const CurvePoint y = lookAt(other, tau);
-            const double speed = glm::length(y.slope);
-            const double slip = std::abs(glm::dot(x.at - y.at, y.slope)) / speed;
-            if (!(speed > 0) || !(slip <= lengths_.slip))
+        for (const double tau : {0.25, 0.5, 0.75})
+            if (!(slipAt(curve, other, tau) <= lengths_.slip))
                 return std::nullopt;
-        }
+        if (!(slipBound(curve, other) <= 2 * lengths_.slip))
+            return std::nullopt;
         const Form form = gapForm(curve, other);
         if (within ? gapBound(form) <= lengths_.reach * (1 + 1e-9) : leastGap(form) > lengths_.reach)
             return std::pair(result, within);
         return std::nullopt;
     }
 
+    // How far along b the point at tau is from the nearest one, to first order.
+    [[nodiscard]] static double slipAt(const std::vector<Vec4>& a, const std::vector<Vec4>& b, double tau)
+    {
+        const CurvePoint y = lookAt(b, tau);
+        return std::abs(glm::dot(lookAt(a, tau).at - y.at, y.slope)) / glm::length(y.slope);
+    }
+
     const std::vector<Vec4>& a_;
     const std::array<Vec3, kEdgeSamples>& aSamples_;
     const ShiftedPiece& b_;
+    bool isClosed_;
     const MatchingLengths& lengths_;
     // Only edges that go back and forth within the tolerance need more; what is not looked at is not matched.
     static constexpr int kMostLooks = 1000;

@@ -4,17 +4,9 @@
 
 namespace knotspan {
 
-namespace {
-
-PlacedSurface placed(const SharedObject& object)
-{
-    return {&object->surface, object->transform};
-}
-
-}  // namespace
-
 SceneFriends::SceneFriends(const FriendTolerances& tolerances)
-    : tolerances_(tolerances), friends_({}, tolerances)
+    : tolerances_(tolerances),
+      friends_({}, tolerances)
 {
 }
 
@@ -33,10 +25,14 @@ bool SceneFriends::follow(const Scene& scene, bool hiddenToo)
             ids.push_back(id);
             objects.push_back(object);
         }
-    if (anew_ || ids != ids_) {
+    const auto sameLoops = [](const SharedObject& x, const SharedObject& y) {
+        return x == y || x->trimLoops == y->trimLoops;
+    };
+    if (anew_ || ids != ids_ ||
+        !std::equal(objects.begin(), objects.end(), held_.begin(), held_.end(), sameLoops)) {
         std::vector<PlacedSurface> surfaces;
         for (const SharedObject& object : objects)
-            surfaces.push_back(placed(object));
+            surfaces.push_back(placed(*object));
         friends_ = Friends(surfaces, tolerances_);
         anew_ = false;
         ids_ = std::move(ids);
@@ -45,30 +41,44 @@ bool SceneFriends::follow(const Scene& scene, bool hiddenToo)
     }
     std::vector<Friends::Change> changes;
     for (size_t k = 0; k < objects.size(); ++k)
-        if (objects[k] != held_[k] && (objects[k]->surface != held_[k]->surface ||
-                                       objects[k]->transform != held_[k]->transform))
-            changes.push_back({static_cast<std::uint32_t>(k), placed(objects[k])});
+        if (objects[k] != held_[k] &&
+            (objects[k]->surface != held_[k]->surface || objects[k]->transform != held_[k]->transform))
+            changes.push_back({static_cast<std::uint32_t>(k), placed(*objects[k])});
     held_ = std::move(objects);
     if (!changes.empty())
         friends_.update(changes);
     return !changes.empty();
 }
 
-Vec3 pointOn(const SceneObject& object, const EdgePart& part, double parameter)
+PlacedSurface placed(const SceneObject& object)
 {
-    const NurbsSurface& surface = object.surface;
-    const bool alongV = part.side == Side::startU || part.side == Side::endU;
-    const KnotVector& across = alongV ? surface.knotsU() : surface.knotsV();
-    const bool atEnd = part.side == Side::endU || part.side == Side::endV;
-    const double fixed = atEnd ? across.domainEnd() : across.domainStart();
-    const Vec3 point = (alongV ? evaluate(surface, fixed, parameter) : evaluate(surface, parameter, fixed)).position;
-    return Vec3(object.transform * Vec4(point, 1));
+    return {&object.surface, object.transform, &object.trimLoops};
 }
 
-const char* sideName(Side side)
+Vec2 parametersOn(const SceneObject& object, const EdgePart& part, double parameter)
 {
-    constexpr const char* kNames[] = {"u start", "u end", "v start", "v end"};
-    return kNames[static_cast<size_t>(side)];
+    if (part.trim)
+        return object.trimLoops[part.trim->loop].curves[part.trim->curve].evaluate(parameter);
+    const bool alongV = part.side == Side::startU || part.side == Side::endU;
+    const KnotVector& across = alongV ? object.surface.knotsU() : object.surface.knotsV();
+    const bool atEnd = part.side == Side::endU || part.side == Side::endV;
+    const double fixed = atEnd ? across.domainEnd() : across.domainStart();
+    return alongV ? Vec2(fixed, parameter) : Vec2(parameter, fixed);
+}
+
+Vec3 pointOn(const SceneObject& object, const EdgePart& part, double parameter)
+{
+    const Vec2 at = parametersOn(object, part, parameter);
+    return transformed(evaluate(object.surface, at.x, at.y).position, object.transform);
+}
+
+std::string edgeName(const EdgePart& edge)
+{
+    if (edge.trim)
+        return "loop " + std::to_string(edge.trim->loop + 1) + " curve " +
+               std::to_string(edge.trim->curve + 1);
+    constexpr const char* kSides[] = {"u start", "u end", "v start", "v end"};
+    return kSides[static_cast<size_t>(edge.side)];
 }
 
 }  // namespace knotspan

@@ -21,6 +21,7 @@ public:
     // Surfaces are numbers into objects().
     [[nodiscard]] const std::vector<FriendEdge>& edges() const { return friends_.edges(); }
     [[nodiscard]] const std::vector<EdgePart>& nakedEdges() const { return friends_.nakedEdges(); }
+    [[nodiscard]] const std::vector<EdgePart>& shortEdges() const { return friends_.shortEdges(); }
     [[nodiscard]] const std::vector<ObjectId>& objects() const { return ids_; }
     [[nodiscard]] const SharedObject& object(std::uint32_t surface) const { return held_[surface]; }
 
@@ -32,10 +33,17 @@ private:
     Friends friends_;
 };
 
+// The surface, its transform and its trim loops, for as long as the object lives.
+[[nodiscard]] PlacedSurface placed(const SceneObject& object);
+
+// A parameter of the part as the surface's (u, v).
+[[nodiscard]] Vec2 parametersOn(const SceneObject& object, const EdgePart& part, double parameter);
+
 // The part's place in space at a parameter of it: a point of the edge in model space.
 [[nodiscard]] Vec3 pointOn(const SceneObject& object, const EdgePart& part, double parameter);
 
-// "u start", "u end", "v start", "v end": as people are told which edge is meant.
-[[nodiscard]] const char* sideName(Side side);
+// "u start", "u end", "v start", "v end", "loop 1 curve 2" (counted from 1): as people are told which edge is
+// meant.
+[[nodiscard]] std::string edgeName(const EdgePart& edge);
 
 }  // namespace knotspan

@@ -31,21 +31,40 @@ TrimCurve::TrimCurve(KnotVector knots, std::vector<TrimPoint> points)
 {
 }
 
+// Relative to one of the control points, so that a place far away costs no digits.
+TrimCurve::Look TrimCurve::look(double t) const
+{
+    t = knots_.inDomain(t);
+    const int span = knots_.findSpan(t);
+    const auto degree = static_cast<size_t>(knots_.degree());
+    const BasisOfDegrees basis = basisOfDegrees(knots_, span, t);
+    const size_t first = static_cast<size_t>(span) - degree;
+    const Vec2 origin = points_[first].position;
+    const auto homogeneous = [&](size_t k) {
+        const TrimPoint& point = points_[first + k];
+        return point.weight * Vec3(point.position - origin, 1);
+    };
+    Vec3 sum{0};
+    Vec3 change{0};
+    for (size_t k = 0; k <= degree; ++k)
+        sum += basis[0][k] * homogeneous(k);
+    for (size_t k = 0; k < degree; ++k) {
+        const auto knot = static_cast<int>(first + k + 1);
+        const double length = knots_[knot + knots_.degree()] - knots_[knot];
+        change += basis[1][k] * knots_.degree() / length * (homogeneous(k + 1) - homogeneous(k));
+    }
+    const Vec2 at = Vec2(sum) / sum.z;
+    return {origin + at, (Vec2(change) - change.z * at) / sum.z};
+}
+
 Vec2 TrimCurve::evaluate(double t) const
 {
-    t = std::clamp(t, knots_.domainStart(), knots_.domainEnd());
-    const int span = knots_.findSpan(t);
-    const BasisRow basis = basisOfDegrees(knots_, span, t)[0];
-    const size_t first = static_cast<size_t>(span - knots_.degree());
-    const Vec2 origin = points_[first].position;
-    Vec2 sum{0};
-    double weight = 0;
-    for (size_t k = 0; k <= static_cast<size_t>(knots_.degree()); ++k) {
-        const TrimPoint& point = points_[first + k];
-        sum += basis[k] * point.weight * (point.position - origin);
-        weight += basis[k] * point.weight;
-    }
-    return origin + sum / weight;
+    return look(t).at;
+}
+
+Vec2 TrimCurve::derivative(double t) const
+{
+    return look(t).slope;
 }
 
 }  // namespace knotspan

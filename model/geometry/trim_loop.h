@@ -27,11 +27,18 @@ public:
 
     [[nodiscard]] const KnotVector& knots() const { return knots_; }
     [[nodiscard]] const std::vector<TrimPoint>& points() const { return points_; }
-    [[nodiscard]] Vec2 evaluate(double t) const;  // t inside the knots' domain
+    // At t, taken into the knots' domain: the place, and its derivative by t.
+    [[nodiscard]] Vec2 evaluate(double t) const;
+    [[nodiscard]] Vec2 derivative(double t) const;
 
     [[nodiscard]] bool operator==(const TrimCurve&) const = default;
 
 private:
+    struct Look {
+        Vec2 at;
+        Vec2 slope;
+    };
+    [[nodiscard]] Look look(double t) const;
     TrimCurve(KnotVector knots, std::vector<TrimPoint> points);
 
     KnotVector knots_;

@@ -49,7 +49,7 @@ std::vector<PlacedSurface> surfacesOf(const SceneFriends& friends)
 {
     std::vector<PlacedSurface> surfaces;
     for (std::uint32_t k = 0; k < friends.objects().size(); ++k)
-        surfaces.push_back({&friends.object(k)->surface, friends.object(k)->transform});
+        surfaces.push_back(placed(*friends.object(k)));
     return surfaces;
 }
 
@@ -76,7 +76,7 @@ struct DragWithFriends::Part {
           steps(whole ? wholeScene(scene, pulled) : neighbours(scene, pulled, kSteps, tolerances.gap)),
           isWhole(whole),
           friends(friendsOf(partOf(scene, steps), tolerances)),
-          keeper(surfacesOf(friends), friends.edges(), namesOf(scene, friends.objects()))
+          keeper(surfacesOf(friends), friends.edges(), namesOf(scene, friends.objects()), tolerances.gap)
     {
     }
 

@@ -18,6 +18,9 @@ namespace {
 constexpr size_t kMostConditions = 500;  // that are solved at once
 constexpr double kSlack = 1e-9;          // of the model's size: conditions met to this are met
 
+// Match leaves knots and rows of the other side as they are, so it is no way out.
+constexpr const char* kRemedy = "Pull control points further from it, or switch off Keep friends";
+
 using Displacements = std::map<int, Vec3>;  // of sites, in model space
 
 // One attempt: sites up to a role may move.
@@ -127,8 +130,8 @@ struct FriendKeeper::State {
     double size = 0;
 
     State(const std::vector<PlacedSurface>& placed, const std::vector<FriendEdge>& edges,
-          std::vector<std::string> names)
-        : network(placed, edges, std::move(names))
+          std::vector<std::string> names, double gap)
+        : network(placed, edges, gap, std::move(names))
     {
         for (const PlacedSurface& one : placed) {
             surfaces.push_back({one.transform,
@@ -152,9 +155,7 @@ struct FriendKeeper::State {
     // Where a point stands, in its surface's own space.
     [[nodiscard]] PointMove atRest(int point) const
     {
-        std::uint32_t surface = 0;
-        while (surface + 1 < surfaces.size() && network.firstPoint(surface + 1) <= point)
-            ++surface;
+        const std::uint32_t surface = network.surfaceOf(point);
         const int index = point - network.firstPoint(surface);
         const int countV = surfaces[surface].countV;
         return {surface,
@@ -176,7 +177,7 @@ struct FriendKeeper::State {
             const int site = network.site(point);
             const Vec3 displacement = inModel(move) - inModel(atRest(point));
             if (const std::string* why = network.whyHeld(site))
-                return failure(*why, "Match the edge first, or switch off Keep friends");
+                return failure(*why, kRemedy);
             const auto [place, isNew] = sites.emplace(site, displacement);
             if (!isNew && glm::length(place->second - displacement) > kSlack * size)
                 return failure("Control points that are one point of an edge are pulled apart",
@@ -196,7 +197,7 @@ struct FriendKeeper::State {
                 why = attempt.whyHeld();
         }
         if (why != nullptr)
-            return failure(*why, "Match the edge first, or switch off Keep friends");
+            return failure(*why, kRemedy);
         return failure("The surfaces that meet at this corner leave its control points no way to follow",
                        "Pull the corner itself, or switch off Keep friends");
     }
@@ -239,8 +240,8 @@ struct FriendKeeper::State {
 };
 
 FriendKeeper::FriendKeeper(const std::vector<PlacedSurface>& surfaces, const std::vector<FriendEdge>& edges,
-                           std::vector<std::string> names)
-    : state_(std::make_unique<State>(surfaces, edges, std::move(names)))
+                           std::vector<std::string> names, double gap)
+    : state_(std::make_unique<State>(surfaces, edges, std::move(names), gap))
 {
 }
 

@@ -2,7 +2,8 @@
 // edges stay G1.
 //
 // Edges stay where they are unless they are pulled themselves; corners likewise. Curvatures are not kept, and
-// edges that were G0 stay closed.
+// edges that were G0 stay closed. That takes sides whose rows go with each other point by point, to the gap
+// tolerance; elsewhere pulls are refused.
 #pragma once
 
 #include <memory>
@@ -27,16 +28,17 @@ struct PointMove {
 // pointer comes to. Surfaces are only looked at while it is made.
 class FriendKeeper {
 public:
-    // `names` of the surfaces, for sentences; without, their numbers.
+    // `names` of the surfaces, for sentences; without, their numbers. `gap`: the tolerance the edges were
+    // found with.
     FriendKeeper(const std::vector<PlacedSurface>& surfaces, const std::vector<FriendEdge>& edges,
-                 std::vector<std::string> names = {});
+                 std::vector<std::string> names = {}, double gap = FriendTolerances{}.gap);
     ~FriendKeeper();
     FriendKeeper(FriendKeeper&&) noexcept;
     FriendKeeper& operator=(FriendKeeper&&) noexcept;
 
     // The pulled points and all that follow, each once, by surface and index. Fails, with a sentence, where
-    // an edge they shape cannot follow: its sides have different knots, or too many surfaces meet at a corner
-    // for the rows to agree. Each control point is pulled to one place only.
+    // an edge they shape cannot follow: its sides have different knots or control points along it, or too
+    // many surfaces meet at a corner for the rows to agree. Each control point is pulled to one place only.
     [[nodiscard]] Result<std::vector<PointMove>> follow(const std::vector<PointMove>& pulled) const;
 
     // Indices of the edges (as given) that moves of these points change: those whose first two rows hold one

@@ -5,40 +5,28 @@
 
 #include "model/core/check.h"
 #include "model/matching/edge_first.h"
+#include "model/matching/edge_parameters.h"
 #include "model/matching/match_side.h"
 
 namespace knotspan {
 
 namespace {
 
-// Parts that end this close to an edge's end, in shares of its length, end there.
-constexpr double kWhole = 1e-6;
-
 struct Edge {
     NurbsSurface surface;  // clamped, edge first, in its own space
     Mat4 transform;
     double from = 0;
     double to = 0;
+    bool isWhole = false;
 
-    [[nodiscard]] bool isWhole() const
-    {
-        return from == surface.knotsV().domainStart() && to == surface.knotsV().domainEnd();
-    }
     [[nodiscard]] NurbsSurface inModel() const { return placed(surface, transform); }
 };
 
-Edge edgeOf(const PlacedSurface& placedSurface, const EdgePart& part)
+Edge edgeOf(const PlacedSurface& placedSurface, const EdgePart& found, double gap)
 {
-    Edge edge{edgeFirst(clamped(*placedSurface.surface), part.side), placedSurface.transform, part.from,
-              part.to};
-    const double start = edge.surface.knotsV().domainStart();
-    const double end = edge.surface.knotsV().domainEnd();
-    const double near = kWhole * (end - start);
-    if (edge.from < start + near)
-        edge.from = start;
-    if (edge.to > end - near)
-        edge.to = end;
-    return edge;
+    const EdgePart part = upToNearEnds(placedSurface, found, gap);
+    return {edgeFirst(clamped(*placedSurface.surface), part.side), placedSurface.transform, part.from,
+            part.to, isWholeSide(*placedSurface.surface, part)};
 }
 
 MatchedSurface matchedSurface(const MovingSide& side, Side where)
@@ -58,13 +46,21 @@ MatchedSurface matchedSurface(const MovingSide& side, Side where)
 }
 
 // `edge` moves towards `other`.
-Result<MovingSide> moved(const MatchRequest& request, const Edge& edge, const Edge& other, Meeting meeting)
+Result<MovingSide> moved(const MatchRequest& request, const Edge& edge, const Edge& other, MeetAt meetAt)
 {
     auto partner = partnerOf(other.inModel(), other.from, other.to, request.reversed, edge.surface.knotsV());
     if (!partner)
         return tl::unexpected(partner.error());
-    return matchSide(MovingSide(edge.surface, edge.transform), *partner, meeting, request.wanted,
+    return matchSide(MovingSide(edge.surface, edge.transform), *partner, meetAt, request.wanted,
                      request.tolerances);
+}
+
+Result<void> requireSides(const MatchRequest& request)
+{
+    if (request.edgeA.trim || request.edgeB.trim)
+        return failure("The edge is a trim curve, and Match moves the sides of whole surfaces only",
+                       "Choose an edge between surfaces that are not trimmed");
+    return {};
 }
 
 Result<void> requirePossible(const MatchRequest& request, const Edge& a, const Edge& b)
@@ -75,10 +71,11 @@ Result<void> requirePossible(const MatchRequest& request, const Edge& a, const E
     if (both && request.edgeA.surface == request.edgeB.surface)
         return failure("The two edges are of one surface, whose sides cannot both move",
                        "Choose one side to move");
-    if ((request.move != MatchSides::b && !a.isWhole()) || (request.move != MatchSides::a && !b.isWhole()))
+    if ((request.move != MatchSides::b && !a.isWhole) || (request.move != MatchSides::a && !b.isWhole))
         return failure("Only a part of the edge that is to move runs along the other",
-                       both ? "Move only the side whose whole edge takes part"
-                            : "Move the other side, or cut the surface where the other edge ends");
+                       !a.isWhole && !b.isWhole ? "Pull control points near it by hand instead"
+                       : both                   ? "Move only the side whose whole edge takes part"
+                                                : "Move the other side");
     return {};
 }
 
@@ -102,24 +99,26 @@ Result<MatchProposal> matchEdge(const MatchRequest& request)
     check(request.wanted == Continuity::g0 || request.wanted == Continuity::g1 ||
               request.wanted == Continuity::g2,
           "an edge is made G0, G1 or G2");
-    const Edge a = edgeOf(request.a, request.edgeA);
-    const Edge b = edgeOf(request.b, request.edgeB);
+    if (auto sides = requireSides(request); !sides)
+        return tl::unexpected(sides.error());
+    const Edge a = edgeOf(request.a, request.edgeA, request.tolerances.gap);
+    const Edge b = edgeOf(request.b, request.edgeB, request.tolerances.gap);
     if (auto possible = requirePossible(request, a, b); !possible)
         return tl::unexpected(possible.error());
 
-    const Meeting meeting = request.move == MatchSides::both ? Meeting::halfway : Meeting::atPartner;
+    const MeetAt meetAt = request.move == MatchSides::both ? MeetAt::halfway : MeetAt::partner;
     MatchProposal proposal;
     NurbsSurface newA = a.inModel();
     NurbsSurface newB = b.inModel();
     if (request.move != MatchSides::b) {
-        const auto side = moved(request, a, b, meeting);
+        const auto side = moved(request, a, b, meetAt);
         if (!side)
             return tl::unexpected(side.error());
         proposal.a = matchedSurface(*side, request.edgeA.side);
         newA = side->now();
     }
     if (request.move != MatchSides::a) {
-        const auto side = moved(request, b, a, meeting);
+        const auto side = moved(request, b, a, meetAt);
         if (!side)
             return tl::unexpected(side.error());
         proposal.b = matchedSurface(*side, request.edgeB.side);
@@ -130,8 +129,8 @@ Result<MatchProposal> matchEdge(const MatchRequest& request)
     const bool seenFromA = request.move == MatchSides::a;
     if (request.edgeA.surface == request.edgeB.surface) {
         const NurbsSurface& seam = seenFromA ? proposal.a->surface : proposal.b->surface;
-        newA = edgeOf({&seam, request.a.transform}, request.edgeA).inModel();
-        newB = edgeOf({&seam, request.b.transform}, request.edgeB).inModel();
+        newA = edgeOf({&seam, request.a.transform}, request.edgeA, request.tolerances.gap).inModel();
+        newB = edgeOf({&seam, request.b.transform}, request.edgeB, request.tolerances.gap).inModel();
     }
     const NurbsSurface& side = seenFromA ? newA : newB;
     const Edge& other = seenFromA ? b : a;
@@ -146,6 +145,7 @@ Result<MatchProposal> matchEdge(const MatchRequest& request)
     proposal.gap = fit.gap;
     proposal.angleDeg = fit.angleDeg;
     proposal.curvature = fit.curvature;
+    proposal.curvaturePart = fit.relativeCurvature;
     return proposal;
 }
 

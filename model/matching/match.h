@@ -44,12 +44,13 @@ struct MatchProposal {
     // What is left, measured at many points along the edge.
     double gap = 0;
     double angleDeg = 0;
-    double curvature = 0;  // largest difference of normal curvatures, 1/unit
+    double curvature = 0;      // largest difference of normal curvatures, 1/unit
+    double curvaturePart = 0;  // the same as a part of the larger one, as FriendTolerances limit it
 };
 
 // Fails, with a sentence that says why, where the tolerances cannot be reached: a moved edge of which only a
-// part takes part, no tangent plane along it, surfaces that fold back on each other, a kink along the edge
-// that rows of the other side cannot follow. Transforms are affine and invertible.
+// part takes part, no tangent plane along it, surfaces that meet at more than 90 degrees, a kink along the
+// edge that rows of the other side cannot follow. Transforms are affine and invertible.
 [[nodiscard]] Result<MatchProposal> matchEdge(const MatchRequest& request);
 
 }  // namespace knotspan

@@ -13,10 +13,12 @@ namespace knotspan {
 
 namespace {
 
-constexpr int kRounds = 11;          // of inserting knots where the tolerance is missed
-constexpr int kHalvings = 4;         // before knots are thought to be what stands in the way
-constexpr int kMostRows = 2000;      // of control points along the edge
-constexpr double kSameEdge = 1e-12;  // of the net's size: edges that are one already
+constexpr int kRounds = 11;           // of inserting knots where the tolerance is missed
+constexpr int kHalvings = 4;          // before knots are thought to be what stands in the way
+constexpr int kMostRows = 2000;       // of control points along the edge
+constexpr double kMostBreakDeg = 90;  // rows that have to turn further would cross the edge
+constexpr double kFoldDeg = 170;      // what people would say lies on itself
+constexpr double kSameEdge = 1e-12;   // of the net's size: edges that are one already
 // Of the tolerances, as what is measured at points may be a little more between them, and as Friends has to
 // be certain within a number of steps.
 constexpr double kAngleReserve = 0.8;
@@ -43,31 +45,38 @@ std::string numberText(double number)
     return text.str();
 }
 
-// Why no rows can mend the edge; nothing where they can.
-std::string obstacle(const NurbsSurface& side, const NurbsSurface& partner, const Partnering& partnering)
+// Whether rows can mend the edge, and otherwise why not.
+Result<void> requireFacing(const NurbsSurface& side, const NurbsSurface& partner,
+                           const Partnering& partnering)
 {
+    double most = 0;
     for (const double v : sampleParameters(side.knotsV(), 8)) {
         const EdgeFrame beyond = turned(frameInto(partner, partnering(v)));
         const EdgeFrame into = frameInto(side, v);
         if (!beyond.regular || !into.regular)
-            return "There is no tangent plane at a point of the edge";
-        if (breakDeg(beyond, into) >= 90)
-            return "The surfaces fold back on each other along the edge";
+            return failure("There is no tangent plane at a point of the edge",
+                           "Pull the control points there apart, then match again");
+        most = std::max(most, breakDeg(beyond, into));
     }
-    return {};
+    if (most < kMostBreakDeg)
+        return {};
+    return failure(most > kFoldDeg ? "The surfaces fold back on each other along the edge"
+                                   : "The surfaces meet at " + numberText(most) +
+                                         " degrees, and only those that meet at less than 90 are matched",
+                   "Pull the control points behind the edge until the surfaces meet at less, or ask for G0");
 }
 
 // The partner's edge with the side's weights at the ends, or the mean of both. It is linear in homogeneous
 // points, so knots inserted later do not change it.
 std::vector<ControlPoint> sharedRow(const std::vector<ControlPoint>& side, std::vector<ControlPoint> partner,
-                                    Meeting meeting)
+                                    MeetAt meetAt)
 {
     const double sideWeights = side.front().weight + side.back().weight;
     const double partnerWeights = partner.front().weight + partner.back().weight;
     for (size_t k = 0; k < side.size(); ++k) {
         if (sideWeights != partnerWeights)
             partner[k].weight *= sideWeights / partnerWeights;
-        if (meeting == Meeting::halfway) {
+        if (meetAt == MeetAt::halfway) {
             const Vec4 sum = side[k].homogeneous() + partner[k].homogeneous();
             partner[k] = {Vec3(sum) / sum.w, 0.5 * sum.w};
         }
@@ -77,13 +86,13 @@ std::vector<ControlPoint> sharedRow(const std::vector<ControlPoint>& side, std::
 
 class SideMatch {
 public:
-    SideMatch(MovingSide side, NurbsSurface partner, Meeting meeting, Continuity wanted,
+    SideMatch(MovingSide side, NurbsSurface partner, MeetAt meetAt, Continuity wanted,
               const FriendTolerances& tolerances)
         : side_(std::move(side)),
           partner_(std::move(partner)),
-          meeting_(meeting),
+          meetAt_(meetAt),
           wanted_(wanted),
-          share_(meeting == Meeting::halfway ? 0.5 : 1.0),
+          share_(meetAt == MeetAt::halfway ? 0.5 : 1.0),
           tolerances_(tolerances),
           least_(leastCurvature(side_.before(), partner_))
     {
@@ -98,14 +107,14 @@ public:
             return side_;
         }
         makeRoom();
-        const std::string why = obstacle(side_.before(), partner_, partnering_);
-        if (!why.empty())
-            return failure(why, "Move control points until they face the same way, then match again");
+        if (const auto facing = requireFacing(side_.before(), partner_, partnering_); !facing)
+            return tl::unexpected(facing.error());
         for (int round = 0;; ++round) {
             moveEdge();
             const TargetFrames target = targetFrames();
-            if (const std::string folded = moveRows(target); !folded.empty())
-                return failure(folded, "Match G0 first, or move the rows behind the edge away from it");
+            if (!moveRows(target))
+                return failure("The row of control points behind the edge is too close to it to be turned",
+                               "Pull that row away from the edge, then match again");
             const std::vector<double> knots = knotsToInsert(target, round < kHalvings);
             if (knots.empty())
                 return side_;
@@ -114,7 +123,10 @@ public:
             const bool hopeless = round > kHalvings && wanted_ == Continuity::g2 && curvatureJumps();
             if (round == kRounds || hopeless ||
                 side_.now().countV() + static_cast<int>(knots.size()) > kMostRows)
-                return failure(whatIsLeft(), "Remove kinks along the edge, or allow a larger tolerance");
+                return failure(whatIsLeft(),
+                               wanted_ == Continuity::g2
+                                   ? "Ask for G1, move the other side, or allow a larger difference"
+                                   : "Move the other side, allow a larger angle, or ask for G0");
             side_.insertAlong(knots);
         }
     }
@@ -130,10 +142,9 @@ private:
         if (edgeMoves_ && gap > tolerances_.gap) {
             const Partnering nearest = nearestParameter(side_.now(), partner_);
             if (measuredGap(side_.now(), partner_, nearest, 8) <= tolerances_.gap) {
-                if (meeting_ == Meeting::halfway)
+                if (meetAt_ == MeetAt::halfway)
                     return "The edges run together but their parameters do not, so neither can meet the "
-                           "other "
-                           "halfway";
+                           "other halfway";
                 partnering_ = nearest;
                 edgeMoves_ = false;
             }
@@ -164,13 +175,13 @@ private:
         // The partner has the knots of the start; what was inserted since does not change its curve.
         const NurbsSurface edge =
             withKnotsInserted(partner_, Direction::V, missingKnots(partner_.knotsV(), side_.now().knotsV()));
-        side_.moveRow(0, sharedRow(rowOf(side_.now(), 0), rowOf(edge, 0), meeting_));
+        side_.moveRow(0, sharedRow(rowOf(side_.now(), 0), rowOf(edge, 0), meetAt_));
     }
 
     TargetFrames targetFrames() const
     {
         return {side_.now(), partner_, partnering_,
-                meeting_ == Meeting::halfway ? std::optional(side_.before()) : std::nullopt};
+                meetAt_ == MeetAt::halfway ? std::optional(side_.before()) : std::nullopt};
     }
 
     std::vector<double> parameters() const
@@ -197,29 +208,36 @@ private:
         return std::all_of(tried.begin(), tried.end(), reached);
     }
 
-    // Rows that are right already stay. Says why where the row behind the edge would come to lie before it.
-    std::string moveRows(const TargetFrames& target)
+    // Rows that are right already stay. False where the row behind the edge would come to lie before it, or
+    // on it.
+    bool moveRows(const TargetFrames& target)
     {
         const KnotVector& along = side_.now().knotsV();
         if (!everywhere([&](double v) { return anglesReached(target, v); })) {
             const auto demands = tangentDemands(side_.now(), target, parameters());
-            side_.moveRow(1, fittedRow(along, rowOf(side_.now(), 1), demands));
-            if (!obstacle(side_.now(), partner_, partnering_).empty())
-                return "The row of control points behind the edge is too close to it to be turned";
+            const auto row = fittedRow(along, rowOf(side_.now(), 1), demands);
+            if (!row)
+                return false;
+            side_.moveRow(1, *row);
+            if (!requireFacing(side_.now(), partner_, partnering_))
+                return false;
         }
         if (wanted_ == Continuity::g2 &&
             !everywhere([&](double v) { return curvaturesReached(target, v); })) {
             const auto demands = curvatureDemands(side_.now(), target, parameters());
-            side_.moveRow(2, fittedRow(along, rowOf(side_.now(), 2), demands));
+            const auto row = fittedRow(along, rowOf(side_.now(), 2), demands);
+            if (!row)
+                return false;
+            side_.moveRow(2, *row);
         }
-        return {};
+        return true;
     }
 
     // Without reserve.
     bool isReached() const
     {
         const EdgeFit fit = fitOf(side_.now(), partner_, partnering_, 16);
-        return meeting_ == Meeting::atPartner && fit.angleDeg <= tolerances_.angleDeg &&
+        return meetAt_ == MeetAt::partner && fit.angleDeg <= tolerances_.angleDeg &&
                (wanted_ != Continuity::g2 || fit.relativeCurvature <= tolerances_.curvature);
     }
 
@@ -282,7 +300,7 @@ private:
 
     MovingSide side_;
     NurbsSurface partner_;
-    Meeting meeting_;
+    MeetAt meetAt_;
     Continuity wanted_;
     double share_;
     FriendTolerances tolerances_;
@@ -293,10 +311,10 @@ private:
 
 }  // namespace
 
-Result<MovingSide> matchSide(MovingSide side, const NurbsSurface& partner, Meeting meeting, Continuity wanted,
+Result<MovingSide> matchSide(MovingSide side, const NurbsSurface& partner, MeetAt meetAt, Continuity wanted,
                              const FriendTolerances& tolerances)
 {
-    return SideMatch(std::move(side), partner, meeting, wanted, tolerances).run();
+    return SideMatch(std::move(side), partner, meetAt, wanted, tolerances).run();
 }
 
 EdgeFit fitOf(const NurbsSurface& side, const NurbsSurface& partner, const Partnering& partnering,

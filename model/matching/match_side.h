@@ -6,10 +6,10 @@
 
 namespace knotspan {
 
-enum class Meeting { atPartner, halfway };
+enum class MeetAt { partner, halfway };
 
 // The partner's edge, in model space and in the parameters of the side (partnerOf()).
-[[nodiscard]] Result<MovingSide> matchSide(MovingSide side, const NurbsSurface& partner, Meeting meeting,
+[[nodiscard]] Result<MovingSide> matchSide(MovingSide side, const NurbsSurface& partner, MeetAt meetAt,
                                            Continuity wanted, const FriendTolerances& tolerances);
 
 // How well two surfaces along one edge fit, at many points: both in model space, edges at u = start.

@@ -1,17 +1,15 @@
 #include "model/matching/neighbours.h"
 
 #include "model/core/check.h"
+#include "model/friends/box_tree.h"
 
 namespace knotspan {
 
 namespace {
 
-bool touch(const Box& a, const Box& b, double gap)
+Box grown(const Box& box, double gap)
 {
-    for (int axis = 0; axis < 3; ++axis)
-        if (a.low[axis] > b.high[axis] + gap || b.low[axis] > a.high[axis] + gap)
-            return false;
-    return true;
+    return {box.low - gap, box.high + gap};
 }
 
 }  // namespace
@@ -24,7 +22,7 @@ std::map<ObjectId, int> neighbours(const Scene& scene, const std::set<ObjectId>&
         const SharedObject object = scene.find(id);
         check(object != nullptr, "neighbours are asked for of objects that are there");
         found[id] = 0;
-        reached.push_back(object->bounds());
+        reached.push_back(grown(object->bounds(), gap));
     }
     std::map<ObjectId, Box> others;
     for (const auto& [id, object] : scene.objects())
@@ -35,10 +33,10 @@ std::map<ObjectId, int> neighbours(const Scene& scene, const std::set<ObjectId>&
         for (auto other = others.begin(); other != others.end();) {
             bool isNear = false;
             for (size_t k = 0; k < reached.size() && !isNear; ++k)
-                isNear = touch(reached[k], other->second, gap);
+                isNear = touch(reached[k], other->second);
             if (isNear) {
                 found[other->first] = step;
-                next.push_back(other->second);
+                next.push_back(grown(other->second, gap));
             }
             other = isNear ? others.erase(other) : std::next(other);
         }
@@ -60,7 +58,7 @@ std::string nameOf(const Scene& scene, ObjectId id)
     const SharedObject object = scene.find(id);
     if (object && !object->name.empty())
         return "\"" + object->name + "\"";
-    return "surface " + std::to_string(static_cast<std::uint32_t>(id));
+    return "Surface " + std::to_string(static_cast<std::uint32_t>(id));
 }
 
 }  // namespace knotspan

@@ -1,8 +1,10 @@
 #include "model/matching/partner.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
-#include <limits>
+#include <memory>
+#include <unordered_map>
 
 #include <glm/geometric.hpp>
 
@@ -10,13 +12,12 @@
 #include "model/geometry/degree_elevation.h"
 #include "model/geometry/evaluation.h"
 #include "model/geometry/orientation.h"
+#include "model/matching/edge_parameters.h"
 #include "model/matching/row_fit.h"
 
 namespace knotspan {
 
 namespace {
-
-constexpr double kSameKnot = 1e-9;  // of the domain's length
 
 Result<NurbsSurface> withKnotsOf(const NurbsSurface& surface, const KnotVector& along)
 {
@@ -30,7 +31,7 @@ Result<NurbsSurface> withKnotsOf(const NurbsSurface& surface, const KnotVector& 
     auto knots = KnotVector::create(surface.degreeV(), std::move(values));
     if (!knots)
         return failure("The knots along the two edges lie too close to each other",
-                       "Remove knots along one of them");
+                       "Move the other side instead");
     return NurbsSurface::create(surface.knotsU(), *std::move(knots), surface.controlPoints());
 }
 
@@ -39,31 +40,105 @@ SurfacePoint edgePoint(const NurbsSurface& surface, double v)
     return evaluate(surface, surface.knotsU().domainStart(), v);
 }
 
-// Newton's method on the distance's derivative from the nearest of the points tried.
-double nearestTo(const Vec3& point, const NurbsSurface& partner, const std::vector<double>& tries)
-{
-    double best = tries.front();
-    double bestDistance = std::numeric_limits<double>::infinity();
-    const auto attempt = [&](double v) {
-        const double distance = glm::length(edgePoint(partner, v).position - point);
-        if (distance < bestDistance) {
-            best = v;
-            bestDistance = distance;
+// Which parameters of the partner's edge are nearest to the mover's. The same are asked for many times over,
+// and the next is mostly close to the one before.
+class NearestOnEdge {
+public:
+    NearestOnEdge(const NurbsSurface& mover, const NurbsSurface& partner)
+        : mover_(mover),
+          partner_(partner),
+          parameters_(sampleParameters(partner.knotsV(), 8)),
+          last_(parameters_.front())
+    {
+        for (const double v : parameters_) {
+            points_.push_back(edgePoint(partner, v).position);
+            const double step = points_.size() < 2 ? 0 : glm::distance(points_.end()[-2], points_.back());
+            ways_.push_back(ways_.empty() ? 0 : ways_.back() + step);
+            longestStep_ = std::max(longestStep_, step);
         }
-    };
-    for (const double v : tries)
-        attempt(v);
-    for (int step = 0; step < 12; ++step) {
-        const SurfacePoint at = edgePoint(partner, best);
-        const Vec3 off = at.position - point;
-        const double slope = glm::dot(at.dv, at.dv) + glm::dot(off, at.dvv);
-        const double before = best;
-        attempt(partner.knotsV().inDomain(best - glm::dot(off, at.dv) / slope));
-        if (best == before)
-            break;
     }
-    return best;
-}
+
+    double at(double v)
+    {
+        const auto [known, isNew] = answers_.emplace(v, 0);
+        if (isNew)
+            known->second = last_ = nearest(edgePoint(mover_, v).position).v;
+        return known->second;
+    }
+
+private:
+    struct Place {
+        double v = 0;
+        double distance = 0;
+    };
+
+    // A sample is no nearer than another one less the way between the two, so most are passed over.
+    [[nodiscard]] Place nearest(const Vec3& point) const
+    {
+        Place best = downhill(point, last_);
+        for (size_t k = 0; k < points_.size();) {
+            const double beside = distanceOf(k, point) - longestStep_;
+            if (beside < best.distance && isValley(k, point)) {
+                const Place found = downhill(point, parameters_[k]);
+                if (found.distance < best.distance)
+                    best = found;
+            }
+            const auto next = ways_.begin() + static_cast<std::ptrdiff_t>(k) + 1;
+            const double way = ways_[k] + beside - best.distance;
+            k = static_cast<size_t>(std::lower_bound(next, ways_.end(), way) - ways_.begin());
+        }
+        return best;
+    }
+
+    [[nodiscard]] double distanceOf(size_t k, const Vec3& point) const
+    {
+        return glm::distance(points_[k], point);
+    }
+
+    [[nodiscard]] bool isValley(size_t k, const Vec3& point) const
+    {
+        const double own = distanceOf(k, point);
+        return (k == 0 || own <= distanceOf(k - 1, point)) &&
+               (k + 1 == points_.size() || own <= distanceOf(k + 1, point));
+    }
+
+    // Gauss-Newton; a step that leads uphill is halved.
+    [[nodiscard]] Place downhill(const Vec3& point, double v) const
+    {
+        SurfacePoint here = edgePoint(partner_, v);
+        double distance = glm::distance(here.position, point);
+        const double shortest = 1e-15 * (partner_.knotsV().domainEnd() - partner_.knotsV().domainStart());
+        for (int step = 0; step < 24; ++step) {
+            const double square = glm::dot(here.dv, here.dv);
+            if (!(square > 0))
+                break;
+            double change =
+                partner_.knotsV().inDomain(v - glm::dot(here.position - point, here.dv) / square) - v;
+            bool isNearer = false;
+            for (int half = 0; half < 6 && std::abs(change) > shortest && !isNearer; ++half, change /= 2) {
+                const SurfacePoint there = edgePoint(partner_, v + change);
+                isNearer = glm::distance(there.position, point) < distance;
+                if (isNearer) {
+                    v += change;
+                    here = there;
+                    distance = glm::distance(here.position, point);
+                }
+            }
+            if (!isNearer)
+                break;
+        }
+        return {v, distance};
+    }
+
+    NurbsSurface mover_;
+    NurbsSurface partner_;
+    std::vector<double> parameters_;
+    std::vector<Vec3> points_;  // of the partner's edge at the parameters
+    std::vector<double> ways_;  // along the polygon through them
+    double longestStep_ = 0;
+    double last_;  // answer
+    std::unordered_map<double, double> answers_;
+};
 
 }  // namespace
 
@@ -107,9 +182,7 @@ Partnering sameParameter()
 
 Partnering nearestParameter(const NurbsSurface& mover, const NurbsSurface& partner)
 {
-    return [mover, partner, tries = sampleParameters(partner.knotsV(), 8)](double v) {
-        return nearestTo(edgePoint(mover, v).position, partner, tries);
-    };
+    return [search = std::make_shared<NearestOnEdge>(mover, partner)](double v) { return search->at(v); };
 }
 
 double measuredGap(const NurbsSurface& mover, const NurbsSurface& partner, const Partnering& partnering,

@@ -28,7 +28,8 @@ struct SameEdgeKnots {
 using Partnering = std::function<double(double v)>;
 // v itself.
 [[nodiscard]] Partnering sameParameter();
-// The nearest point of the partner's edge.
+// The nearest point of the partner's edge. Remembers what it was asked, copies of it share that: not for
+// several threads.
 [[nodiscard]] Partnering nearestParameter(const NurbsSurface& mover, const NurbsSurface& partner);
 
 // The largest distance between the edges, at `perSpan` points a span of the mover's.

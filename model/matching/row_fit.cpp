@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/geometry/banded_system.h"
 #include "model/geometry/basis.h"
-#include "model/matching/banded_cholesky.h"
 
 namespace knotspan {
 
@@ -36,7 +36,8 @@ Shares sharesAt(const KnotVector& along, const std::vector<ControlPoint>& row, d
     return shares;
 }
 
-void addSample(BandedSystem& system, const Shares& shares, const RowSample& sample, double typicalScale)
+void addSample(BandedSystem& system, std::vector<double>& right, const Shares& shares,
+               const RowSample& sample, double typicalScale)
 {
     const double need = kNeedToMove * typicalScale / std::max(sample.scale, 1e-3 * typicalScale);
     const double needed = need * need;
@@ -44,7 +45,7 @@ void addSample(BandedSystem& system, const Shares& shares, const RowSample& samp
         for (int i = 0; i < 3; ++i) {
             const double share = shares.values[static_cast<size_t>(a)];
             const int row = 3 * (shares.first + a) + i;
-            system.addRight(row, share * (needed + 1) * sample.needed * sample.normal[i]);
+            right[static_cast<size_t>(row)] += share * (needed + 1) * sample.needed * sample.normal[i];
             for (int b = 0; b <= a; ++b)
                 for (int j = 0; j < 3; ++j)
                     system.add(row, 3 * (shares.first + b) + j,
@@ -80,21 +81,25 @@ ControlPoint rowPoint(const KnotVector& along, const std::vector<ControlPoint>& 
     return {origin + sum, shares.weight};
 }
 
-std::vector<ControlPoint> fittedRow(const KnotVector& along, const std::vector<ControlPoint>& row,
-                                    const std::vector<RowSample>& samples)
+std::optional<std::vector<ControlPoint>> fittedRow(const KnotVector& along,
+                                                   const std::vector<ControlPoint>& row,
+                                                   const std::vector<RowSample>& samples)
 {
     const int size = 3 * static_cast<int>(row.size());
     BandedSystem system(size, 3 * along.degree() + 2);
+    std::vector<double> right(static_cast<size_t>(size), 0.0);
     double typicalScale = 0;
     for (const RowSample& sample : samples)
         typicalScale += sample.scale / static_cast<double>(samples.size());
     for (const RowSample& sample : samples)
-        addSample(system, sharesAt(along, row, sample.v), sample, typicalScale);
+        addSample(system, right, sharesAt(along, row, sample.v), sample, typicalScale);
     for (int k = 0; k < size; ++k)
         system.add(k, k, kRest);
-    const std::vector<double> moves = system.solve();
+    if (!system.factor())
+        return std::nullopt;
+    const std::vector<double> moves = system.solve(std::move(right));
     std::vector<ControlPoint> result = row;
-    for (size_t k = 0; k < result.size() && !moves.empty(); ++k)
+    for (size_t k = 0; k < result.size(); ++k)
         result[k].position += Vec3(moves[3 * k], moves[3 * k + 1], moves[3 * k + 2]);
     return result;
 }

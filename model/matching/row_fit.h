@@ -2,6 +2,8 @@
 // normals.
 #pragma once
 
+#include <optional>
+
 #include "model/geometry/nurbs_surface.h"
 
 namespace knotspan {
@@ -22,8 +24,9 @@ struct RowSample {
 [[nodiscard]] ControlPoint rowPoint(const KnotVector& along, const std::vector<ControlPoint>& row, double v);
 
 // By least squares: what is needed counts a thousand times as much as how far the curve moves. Weights stay.
-[[nodiscard]] std::vector<ControlPoint> fittedRow(const KnotVector& along,
-                                                  const std::vector<ControlPoint>& row,
-                                                  const std::vector<RowSample>& samples);
+// Nothing where the samples' scales leave no solution: they are all 0, or too large for double.
+[[nodiscard]] std::optional<std::vector<ControlPoint>> fittedRow(const KnotVector& along,
+                                                                 const std::vector<ControlPoint>& row,
+                                                                 const std::vector<RowSample>& samples);
 
 }  // namespace knotspan

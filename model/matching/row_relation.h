@@ -7,9 +7,9 @@
 namespace knotspan {
 
 // Where a control point stands in a surface's net, counted from one of its edges.
-class EdgeRows {
+class NetRows {
 public:
-    EdgeRows(const NurbsSurface& surface, Side side) : surface_(&surface), side_(side) {}
+    NetRows(const NurbsSurface& surface, Side side) : surface_(&surface), side_(side) {}
 
     [[nodiscard]] int length() const;  // of a row
     [[nodiscard]] int count() const;   // of rows
@@ -30,12 +30,27 @@ struct RowRelation {
     double ofRow = 0;
 };
 
-// Whether point k of one edge's row goes with point k, or last - k, of the other's: whole edges, one degree,
-// the same knots but for an affine map, rows that begin at the edge. Otherwise why not.
-[[nodiscard]] Result<void> requireSameRows(const FriendEdge& edge, const EdgeRows& a, const EdgeRows& b);
+// The two sides of an edge.
+struct EdgeRows {
+    PlacedSurface placedA;
+    PlacedSurface placedB;
+    NetRows a;
+    NetRows b;
+    bool reversed = false;
 
-// Fails where rows 1 do not hang together like that. Transforms are those of a and b.
-[[nodiscard]] Result<RowRelation> rowRelation(const FriendEdge& edge, const EdgeRows& a, const Mat4& placeA,
-                                              const EdgeRows& b, const Mat4& placeB);
+    EdgeRows(const FriendEdge& edge, const PlacedSurface& ofA, const PlacedSurface& ofB);
+
+    // Of b's row, the number that goes with k of a's.
+    [[nodiscard]] int alongB(int k) const { return reversed ? b.length() - 1 - k : k; }
+};
+
+// Whether the edge stays closed when points k of the two rows 0 move by the same: whole edges, one degree,
+// the same knots but for an affine map, rows that begin at the edge, the same points to the gap tolerance,
+// the same weights but for a factor. Otherwise why not.
+[[nodiscard]] Result<void> requireSameRows(const FriendEdge& edge, const EdgeRows& rows, double gap);
+
+// Of an edge with the same rows. Fails where rows 1 do not hang together like that, or where the rows 0 do
+// not run as much alike as tangent planes need it.
+[[nodiscard]] Result<RowRelation> rowRelation(const EdgeRows& rows);
 
 }  // namespace knotspan

@@ -16,6 +16,9 @@ struct ObjectEdge {
     ObjectId b{};
 };
 
+// Whether both lie on the same edges of the same objects, whichever part of those.
+[[nodiscard]] bool isSameEdge(const ObjectEdge& x, const ObjectEdge& y);
+
 // The edges of these objects, as Friends finds them within the tolerances; the others take part where they
 // are visible. Objects that are not in the scene are passed over.
 [[nodiscard]] std::vector<ObjectEdge> edgesOf(const Scene& scene, const std::set<ObjectId>& objects,
@@ -24,6 +27,12 @@ struct ObjectEdge {
 // The same edge in a scene that changed; nothing where its sides no longer run together there.
 [[nodiscard]] std::optional<ObjectEdge> foundAgain(const Scene& scene, const ObjectEdge& edge,
                                                    const FriendTolerances& tolerances);
+// Many of them at once; nothing in the place of one that is gone.
+[[nodiscard]] std::vector<std::optional<ObjectEdge>>
+foundAgain(const Scene& scene, const std::vector<ObjectEdge>& edges, const FriendTolerances& tolerances);
+
+// Its number among the friends' edges(); nothing where they do not have it.
+[[nodiscard]] std::optional<size_t> numberAmong(const SceneFriends& friends, const ObjectEdge& edge);
 
 struct SceneMatch {
     MatchProposal proposal;
@@ -34,6 +43,25 @@ struct SceneMatch {
 // object is gone.
 [[nodiscard]] Result<SceneMatch> matchInScene(const Scene& scene, const ObjectEdge& edge, Continuity wanted,
                                               MatchSides move, const FriendTolerances& tolerances);
+
+// What a match does to the edges beside the one that it mends.
+struct SideEffects {
+    struct Worse {
+        ObjectEdge edge;                  // as it is
+        std::optional<Continuity> after;  // nothing: its sides part
+    };
+    std::vector<Worse> worse;  // the worst first
+    // Parts of edges that become naked, except those of `worse` whose sides part.
+    struct Naked {
+        ObjectId object{};
+        EdgePart part;
+    };
+    std::vector<Naked> naked;
+    [[nodiscard]] bool isEmpty() const { return worse.empty() && naked.empty(); }
+};
+// `scene` is the one before.
+[[nodiscard]] SideEffects sideEffects(const Scene& scene, const ObjectEdge& edge, const SceneMatch& match,
+                                      const FriendTolerances& tolerances);
 
 // "u end of "Bow" and v start of "Side"": how people are told which edge is meant.
 [[nodiscard]] std::string describe(const Scene& scene, const ObjectEdge& edge);

@@ -4,22 +4,18 @@
 #include <numeric>
 
 #include "model/matching/row_relation.h"
+#include "model/matching/shaping_points.h"
 
 namespace knotspan {
 
+// Both sides of an edge, their points numbered.
 struct SiteNetwork::Sides {
-    EdgeRows a;
-    EdgeRows b;
+    EdgeRows rows;
     int firstA;
     int firstB;
-    Mat4 placeA;
-    Mat4 placeB;
-    bool reversed;
 
-    [[nodiscard]] int pointA(int row, int k) const { return firstA + a.index(row, k); }
-    // Of b's row, seen along a's.
-    [[nodiscard]] int alongB(int k) const { return reversed ? b.length() - 1 - k : k; }
-    [[nodiscard]] int pointB(int row, int k) const { return firstB + b.index(row, k); }
+    [[nodiscard]] int pointA(int row, int k) const { return firstA + rows.a.index(row, k); }
+    [[nodiscard]] int pointB(int row, int k) const { return firstB + rows.b.index(row, k); }
 };
 
 namespace {
@@ -31,6 +27,11 @@ Role roleOf(const NurbsSurface& surface, int i, int j)
     if (borderU && borderV)
         return Role::corner;
     return borderU || borderV ? Role::edge : Role::inner;
+}
+
+bool isTrimmed(const FriendEdge& edge)
+{
+    return edge.a.trim || edge.b.trim;
 }
 
 }  // namespace
@@ -47,35 +48,34 @@ std::string SiteNetwork::sentenceStart(const FriendEdge& edge) const
 }
 
 SiteNetwork::SiteNetwork(const std::vector<PlacedSurface>& surfaces, const std::vector<FriendEdge>& edges,
-                         std::vector<std::string> names)
-    : names_(std::move(names))
+                         double gap, std::vector<std::string> names)
+    : gap_(gap),
+      names_(std::move(names))
 {
     number(surfaces);
+    std::vector<std::pair<int, int>> touched;
+    for (size_t number = 0; number < edges.size(); ++number)
+        if (isTrimmed(edges[number]) && edges[number].continuity != Continuity::none)
+            for (const int point : holdTrimmed(edges[number], surfaces))
+                if (edges[number].areFriends())
+                    touched.emplace_back(point, static_cast<int>(number));
     const auto sidesOf = [&](const FriendEdge& edge) {
-        const PlacedSurface& a = surfaces[edge.a.surface];
-        const PlacedSurface& b = surfaces[edge.b.surface];
-        return Sides{{*a.surface, edge.a.side},
-                     {*b.surface, edge.b.side},
-                     firstPoint(edge.a.surface),
-                     firstPoint(edge.b.surface),
-                     a.transform,
-                     b.transform,
-                     edge.reversed};
+        return Sides{EdgeRows(edge, surfaces[edge.a.surface], surfaces[edge.b.surface]),
+                     firstPoint(edge.a.surface), firstPoint(edge.b.surface)};
     };
     for (const FriendEdge& edge : edges)
-        if (edge.continuity != Continuity::none)
+        if (edge.continuity != Continuity::none && !isTrimmed(edge))
             close(edge, sidesOf(edge));
     for (size_t point = 0; point < sites_.size(); ++point)
         sites_[point] = root(static_cast<int>(point));
-    std::vector<std::pair<int, int>> touched;
     for (size_t number = 0; number < edges.size(); ++number)
-        if (edges[number].areFriends()) {
+        if (edges[number].areFriends() && !isTrimmed(edges[number])) {
             const Sides sides = sidesOf(edges[number]);
             relate(edges[number], sides);
             for (const int row : {0, 1}) {
-                for (int k = 0; k < sides.a.length(); ++k)
+                for (int k = 0; k < sides.rows.a.length(); ++k)
                     touched.emplace_back(sides.pointA(row, k), static_cast<int>(number));
-                for (int k = 0; k < sides.b.length(); ++k)
+                for (int k = 0; k < sides.rows.b.length(); ++k)
                     touched.emplace_back(sides.pointB(row, k), static_cast<int>(number));
             }
         }
@@ -98,6 +98,12 @@ void SiteNetwork::number(const std::vector<PlacedSurface>& surfaces)
     held_.assign(roles_.size(), -1);
 }
 
+std::uint32_t SiteNetwork::surfaceOf(int point) const
+{
+    const auto next = std::upper_bound(firstPoints_.begin(), firstPoints_.end(), point);
+    return static_cast<std::uint32_t>(next - firstPoints_.begin()) - 1;
+}
+
 int SiteNetwork::root(int point)
 {
     int& above = sites_[static_cast<size_t>(point)];
@@ -109,30 +115,30 @@ int SiteNetwork::root(int point)
 // Points of the two edges become one site each.
 void SiteNetwork::close(const FriendEdge& edge, const Sides& sides)
 {
-    if (const auto same = requireSameRows(edge, sides.a, sides.b); !same) {
+    if (const auto same = requireSameRows(edge, sides.rows, gap_); !same) {
         hold(edge, sides, 1, same.error().what);
         return;
     }
-    for (int k = 0; k < sides.a.length(); ++k)
-        sites_[static_cast<size_t>(root(sides.pointB(0, sides.alongB(k))))] = root(sides.pointA(0, k));
+    for (int k = 0; k < sides.rows.a.length(); ++k)
+        sites_[static_cast<size_t>(root(sides.pointB(0, sides.rows.alongB(k))))] = root(sides.pointA(0, k));
 }
 
 void SiteNetwork::relate(const FriendEdge& edge, const Sides& sides)
 {
-    if (const auto same = requireSameRows(edge, sides.a, sides.b); !same) {
+    if (const auto same = requireSameRows(edge, sides.rows, gap_); !same) {
         hold(edge, sides, 2, same.error().what);
         return;
     }
-    const auto relation = rowRelation(edge, sides.a, sides.placeA, sides.b, sides.placeB);
+    const auto relation = rowRelation(sides.rows);
     if (!relation) {
         hold(edge, sides, 2, relation.error().what);
         return;
     }
-    for (int k = 0; k < sides.a.length(); ++k) {
-        const int there = sides.alongB(k);
-        conditions_.push_back({{{site(sides.pointB(1, there)), sides.b.at(1, there).weight},
-                                {site(sides.pointA(0, k)), -relation->ofEdge * sides.a.at(0, k).weight},
-                                {site(sides.pointA(1, k)), -relation->ofRow * sides.a.at(1, k).weight}},
+    for (int k = 0; k < sides.rows.a.length(); ++k) {
+        const int there = sides.rows.alongB(k);
+        conditions_.push_back({{{site(sides.pointB(1, there)), sides.rows.b.at(1, there).weight},
+                                {site(sides.pointA(0, k)), -relation->ofEdge * sides.rows.a.at(0, k).weight},
+                                {site(sides.pointA(1, k)), -relation->ofRow * sides.rows.a.at(1, k).weight}},
                                Vec3(0)});
     }
 }
@@ -142,11 +148,24 @@ void SiteNetwork::hold(const FriendEdge& edge, const Sides& sides, int rows, con
     const int reason = static_cast<int>(reasons_.size());
     reasons_.push_back(sentenceStart(edge) + why);
     for (int row = 0; row < rows; ++row) {
-        for (int k = 0; k < sides.a.length(); ++k)
+        for (int k = 0; k < sides.rows.a.length(); ++k)
             held_[static_cast<size_t>(sides.pointA(row, k))] = reason;
-        for (int k = 0; k < sides.b.length(); ++k)
+        for (int k = 0; k < sides.rows.b.length(); ++k)
             held_[static_cast<size_t>(sides.pointB(row, k))] = reason;
     }
+}
+
+std::vector<int> SiteNetwork::holdTrimmed(const FriendEdge& edge, const std::vector<PlacedSurface>& surfaces)
+{
+    const int reason = static_cast<int>(reasons_.size());
+    reasons_.push_back(sentenceStart(edge) + "it is cut out by a trim curve");
+    std::vector<int> points;
+    for (const EdgePart& part : {edge.a, edge.b})
+        for (const int point : shapingPoints(surfaces[part.surface], part))
+            points.push_back(firstPoint(part.surface) + point);
+    for (const int point : points)
+        held_[static_cast<size_t>(point)] = reason;
+    return points;
 }
 
 void SiteNetwork::index()

@@ -18,11 +18,13 @@ enum class Role { inner, edge, corner };
 
 class SiteNetwork {
 public:
-    // `names` of the surfaces, for sentences; without, their numbers.
-    SiteNetwork(const std::vector<PlacedSurface>& surfaces, const std::vector<FriendEdge>& edges,
-                std::vector<std::string> names = {});
+    // `names` of the surfaces, for sentences; without, their numbers. `gap` is the tolerance within which the
+    // edges were found.
+    SiteNetwork(const std::vector<PlacedSurface>& surfaces, const std::vector<FriendEdge>& edges, double gap,
+                std::vector<std::string> names);
 
     [[nodiscard]] int firstPoint(std::uint32_t surface) const { return firstPoints_[surface]; }
+    [[nodiscard]] std::uint32_t surfaceOf(int point) const;
     [[nodiscard]] int site(int point) const { return sites_[static_cast<size_t>(point)]; }
     [[nodiscard]] std::span<const int> pointsOf(int site) const { return points_.of(site); }
     [[nodiscard]] Role role(int site) const { return roles_[static_cast<size_t>(site)]; }
@@ -37,7 +39,8 @@ public:
     // Why a site shapes an edge that cannot follow, so that it must stay; null where nothing holds it.
     [[nodiscard]] const std::string* whyHeld(int site) const;
 
-    // Friend edges, by their number among those given, of which the point is in the first two rows.
+    // Friend edges, by their number among those given, of which the point is in the first two rows, or which
+    // it shapes where they are trim curves.
     [[nodiscard]] std::span<const int> edgesOf(int point) const { return edgesOf_.of(point); }
 
 private:
@@ -49,8 +52,10 @@ private:
     void close(const FriendEdge& edge, const Sides& sides);
     void relate(const FriendEdge& edge, const Sides& sides);
     void hold(const FriendEdge& edge, const Sides& sides, int rows, const std::string& why);
+    std::vector<int> holdTrimmed(const FriendEdge& edge, const std::vector<PlacedSurface>& surfaces);
     void index();
 
+    double gap_;
     std::vector<std::string> names_;
     std::vector<int> firstPoints_;
     std::vector<int> sites_;

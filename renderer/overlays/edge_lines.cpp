@@ -7,28 +7,66 @@ namespace knotspan {
 
 namespace {
 
-void addParts(const EdgeLine& line, const Resident& resident, std::vector<gpu::EdgeLineRecord>& to)
-{
-    const NurbsSurface& surface = resident.object->surface;
-    const bool alongV = line.side == Side::startU || line.side == Side::endU;
-    const bool atEnd = line.side == Side::endU || line.side == Side::endV;
-    const KnotVector& knots = alongV ? surface.knotsV() : surface.knotsU();
-    const auto spansU = static_cast<std::uint32_t>(surface.knotsU().spans().size());
-    const auto spansV = static_cast<std::uint32_t>(surface.knotsV().spans().size());
-    std::uint32_t ksquad = resident.firstKsquad;
-    if (atEnd)
-        ksquad += alongV ? (spansU - 1) * spansV : spansV - 1;
-    for (const int span : knots.spans()) {
-        const double start = knots[span];
-        const double length = knots[span + 1] - start;
-        const double from = std::max((line.from - start) / length, 0.0);
-        const double to1 = std::min((line.to - start) / length, 1.0);
-        if (from < to1)
-            to.push_back({ksquad, static_cast<std::uint32_t>(line.side), static_cast<float>(from),
-                          static_cast<float>(to1), line.colour, static_cast<float>(0.5 * line.widthPx)});
-        ksquad += alongV ? 1 : spansV;
+// Adds lines on one object.
+class Adding {
+public:
+    Adding(const Resident& resident, const EdgeLine& line, std::vector<gpu::EdgeLineRecord>& to)
+        : surface_(resident.object->surface),
+          first_(resident.firstKsquad),
+          line_(line),
+          to_(to)
+    {
     }
-}
+
+    void side()
+    {
+        const EdgePart& edge = line_.edge;
+        const bool alongV = edge.side == Side::startU || edge.side == Side::endU;
+        const double across = edge.side == Side::endU || edge.side == Side::endV ? 1 : 0;
+        const KnotVector& knots = alongV ? surface_.knotsV() : surface_.knotsU();
+        const KnotVector& other = alongV ? surface_.knotsU() : surface_.knotsV();
+        const int otherSpan = across > 0 ? other.spans().back() : other.spans().front();
+        for (const int span : knots.spans()) {
+            const auto place = [&](double t) { return alongV ? Vec2(across, t) : Vec2(t, across); };
+            add(alongV ? otherSpan : span, alongV ? span : otherSpan, knots[span], knots[span + 1], place);
+        }
+    }
+
+    void trim(const std::vector<TrimPiece>& pieces)
+    {
+        for (const TrimPiece& piece : pieces) {
+            const auto place = [&](double t) {
+                return Vec2(glm::mix(piece.u.front(), piece.u.back(), t),
+                            glm::mix(piece.v.front(), piece.v.back(), t));
+            };
+            add(piece.spanU, piece.spanV, piece.from, piece.to, place);
+        }
+    }
+
+private:
+    // What of `start` to `end`, where the edge runs through a KSQuad, belongs to the line.
+    template <class Place>
+    void add(int spanU, int spanV, double start, double end, const Place& place)
+    {
+        const double from = std::max((line_.edge.from - start) / (end - start), 0.0);
+        const double upTo = std::min((line_.edge.to - start) / (end - start), 1.0);
+        if (!(from < upTo))
+            return;
+        const std::vector<int>& spansU = surface_.knotsU().spans();
+        const std::vector<int>& spansV = surface_.knotsV().spans();
+        const auto a = std::lower_bound(spansU.begin(), spansU.end(), spanU) - spansU.begin();
+        const auto b = std::lower_bound(spansV.begin(), spansV.end(), spanV) - spansV.begin();
+        const auto ksquad =
+            static_cast<std::uint32_t>(static_cast<size_t>(a) * spansV.size() + static_cast<size_t>(b));
+        to_.push_back({first_ + ksquad, gpu::vec2(place(from)), gpu::vec2(place(upTo)), line_.colour,
+                       static_cast<float>(0.5 * line_.widthPx)});
+    }
+
+    const NurbsSurface& surface_;
+    std::uint32_t first_;
+    const EdgeLine& line_;
+    std::vector<gpu::EdgeLineRecord>& to_;
+};
 
 bool isSame(const std::vector<gpu::EdgeLineRecord>& a, const std::vector<gpu::EdgeLineRecord>& b)
 {
@@ -38,13 +76,23 @@ bool isSame(const std::vector<gpu::EdgeLineRecord>& a, const std::vector<gpu::Ed
 
 }  // namespace
 
+void EdgeLines::add(const EdgeLine& line, const Resident& resident, std::vector<gpu::EdgeLineRecord>& to)
+{
+    Adding adding(resident, line, to);
+    if (!line.edge.trim)
+        adding.side();
+    else if (const std::vector<TrimPiece>* pieces =
+                 trimLines_.of(line.object, resident.object, *line.edge.trim))
+        adding.trim(*pieces);
+}
+
 void EdgeLines::prepare(const std::vector<EdgeLine>& lines, const std::vector<Resident>& residents,
                         const Specialization& specialization)
 {
     std::vector<gpu::EdgeLineRecord> records;
     for (const EdgeLine& line : lines)
         if (const Resident* resident = findResident(residents, line.object))
-            addParts(line, *resident, records);
+            add(line, *resident, records);
     specialization_ = specialization;
     if (records.empty()) {
         held_.clear();

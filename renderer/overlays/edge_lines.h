@@ -1,10 +1,11 @@
-// Lines along the borders of surfaces, evaluated on the device: what travels is which part of which side of a
-// KSQuad has which colour, and only where that changed.
+// Lines along the edges of surfaces, evaluated on the device: what travels is which line in the parameters of
+// which KSQuad has which colour, and only where that changed.
 #pragma once
 
 #include <map>
 
 #include "renderer/frame.h"
+#include "renderer/overlays/trim_lines.h"
 #include "renderer/scene/gpu_scene.h"
 
 namespace knotspan {
@@ -28,12 +29,15 @@ public:
     void draw(VkCommandBuffer commands) const;
 
 private:
+    void add(const EdgeLine& line, const Resident& resident, std::vector<gpu::EdgeLineRecord>& to);
+
     const Device& device_;
     Bindings& bindings_;
     Uploader& uploader_;
     std::map<Specialization, Pipeline> pipelines_;  // made when first needed
     Specialization specialization_;
     Buffer buffer_;
+    TrimLines trimLines_;
     std::vector<gpu::EdgeLineRecord> held_;  // what the device has
 };
 

@@ -63,17 +63,23 @@ PackedTables<float> BezierNets::tables(const std::vector<Resident>& residents, E
 {
     PackedTables<float> packed;
     SpanTablePool<float> pool;
-    const auto tableOf = [&](int degree) {
-        return pool.startOf(KnotVector::clampedUniform(degree, 1), degree, evaluator);
+    const auto tablesOf = [&](const KnotVector& knots) {
+        const auto bezier = KnotVector::clampedUniform(knots.degree(), 1);
+        std::vector<std::uint32_t> starts;
+        for (const int span : knots.spans())
+            starts.push_back(pool.startOf(bezier, knots.degree(), evaluator, startsSmoothly(knots, span)));
+        return starts;
     };
     for (size_t k = 0; k < residents.size(); ++k) {
         const NurbsSurface& surface = residents[k].object->surface;
-        const std::uint32_t tableU = tableOf(surface.degreeU());
-        const std::uint32_t tableV = tableOf(surface.degreeV());
-        const size_t netSize = static_cast<size_t>((surface.degreeU() + 1) * (surface.degreeV() + 1));
-        for (size_t point = firsts_[k]; point < firsts_[k + 1]; point += netSize)
-            packed.ksquads.push_back(
-                {static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(point), tableU, tableV});
+        const auto startsV = tablesOf(surface.knotsV());
+        const auto netSize = static_cast<std::uint32_t>((surface.degreeU() + 1) * (surface.degreeV() + 1));
+        auto point = static_cast<std::uint32_t>(firsts_[k]);
+        for (const std::uint32_t startU : tablesOf(surface.knotsU()))
+            for (const std::uint32_t startV : startsV) {
+                packed.ksquads.push_back({static_cast<std::uint32_t>(k), point, startU, startV});
+                point += netSize;
+            }
     }
     packed.spanTables = pool.takeNumbers();
     return packed;

@@ -47,9 +47,9 @@ public:
     [[nodiscard]] gpu::ObjectVertex at(const gpu::GridVertex& vertex) const
     {
         const auto seen = sample(vertex.source, vertex.sourceT);
-        if (vertex.source == ksquad_ && vertex.sourceT == vertex.t)
-            return made(vertex.t, ksquad_, seen.position, seen);
-        return made(vertex.t, vertex.source, seen.position, sample(ksquad_, vertex.t));
+        const bool same = vertex.source == ksquad_ && vertex.sourceT == vertex.t;
+        const bool serves = same || (vertex.sharesNormal && tells(seen));
+        return made(vertex.t, vertex.source, seen.position, serves ? seen : sample(ksquad_, vertex.t));
     }
 
 private:
@@ -68,20 +68,30 @@ private:
         return sample(ksquad, alongU(ksquad, t.x), alongV(ksquad, t.y));
     }
 
-    // Where the tangents tell none, that of the nearest point a little further inside whose tangents do.
-    [[nodiscard]] Vec3 normalAt(const Vec2& t, gpu::SurfaceSample<double> at) const
+    [[nodiscard]] static Vec3 crossOf(const gpu::SurfaceSample<double>& at)
+    {
+        return glm::cross(directionOf(at.du), directionOf(at.dv));
+    }
+    // Whether the tangents tell a normal.
+    [[nodiscard]] static bool tells(const gpu::SurfaceSample<double>& at)
     {
         constexpr double kRounding = 1e-14;
         constexpr double kLeastSine = 32.0 * kRounding;
+        const Vec3 n = crossOf(at);
+        return std::min(largest(at.du), largest(at.dv)) > kRounding * largest(at.position) &&
+               glm::dot(n, n) > kLeastSine * kLeastSine;
+    }
+
+    // Where the tangents tell none, that of the nearest point a little further inside whose tangents do.
+    [[nodiscard]] Vec3 normalAt(const Vec2& t, gpu::SurfaceSample<double> at) const
+    {
         Vec3 normal(0);
         double inwards = 0.0;
         for (int attempt = 0; attempt < 6; ++attempt) {
-            const Vec3 n = glm::cross(directionOf(at.du), directionOf(at.dv));
-            const bool tells = std::min(largest(at.du), largest(at.dv)) > kRounding * largest(at.position) &&
-                               glm::dot(n, n) > kLeastSine * kLeastSine;
-            if (tells || normal == Vec3(0))
-                normal = directionOf(n);
-            if (tells)
+            const bool enough = tells(at);
+            if (enough || normal == Vec3(0))
+                normal = directionOf(crossOf(at));
+            if (enough)
                 break;
             inwards = std::max(8.0 * inwards, 0.0009765625);
             at = sample(ksquad_, t + inwards * (Vec2(0.5) - t));
@@ -89,7 +99,7 @@ private:
         return normal == Vec3(0) ? Vec3(0, 0, 1) : normal;
     }
 
-    // `own` is the KSQuad's own point at t, `position` the source's.
+    // `own` is the KSQuad's own point at t, or one of the source's that serves for it.
     [[nodiscard]] gpu::ObjectVertex made(const gpu::vec2& t, std::uint32_t source, const Vec3& position,
                                          const gpu::SurfaceSample<double>& own) const
     {

@@ -27,6 +27,7 @@ public:
     [[nodiscard]] gpu::uint borderCorner(gpu::uint k) const { return scene_.borderCorner(k); }
     [[nodiscard]] const gpu::BorderPiece& borderPiece(gpu::uint k) const { return scene_.borderPiece(k); }
     [[nodiscard]] const gpu::BorderUse& borderUse(gpu::uint k) const { return scene_.borderUse(k); }
+    [[nodiscard]] double spanTable(gpu::uint k) const { return scene_.spanTable(k); }
 
 private:
     const CpuScene& scene_;

@@ -49,10 +49,24 @@ Vec3 cornerOf(const NurbsSurface& surface, bool endU, bool endV)
 
 }  // namespace
 
-template <class Real>
-std::uint32_t SpanTablePool<Real>::startOf(const KnotVector& knots, int span, Evaluator evaluator)
+// Of control points nothing is asked: where some coincide tangents may vanish, on both sides alike. A span
+// before it that is much shorter has shorter tangents, of which float leaves fewer digits: culling counts on
+// as good a normal as the KSQuad's own (facing_forms.glsl).
+bool startsSmoothly(const KnotVector& knots, int span)
 {
-    std::vector<Real> wanted;
+    const double start = knots[span];
+    int before = span;
+    while (before >= 0 && knots[before] == start)
+        --before;
+    return before >= 0 && start > knots.domainStart() && span - before < knots.degree() &&
+           start - knots[before] >= 0.5 * (knots[span + 1] - start);
+}
+
+template <class Real>
+std::uint32_t SpanTablePool<Real>::startOf(const KnotVector& knots, int span, Evaluator evaluator,
+                                           bool smoothStart)
+{
+    std::vector<Real> wanted{static_cast<Real>(smoothStart ? 1 : 0)};
     for (const double share : bezierMatrix(knots, span))
         wanted.push_back(static_cast<Real>(share));
     const auto before = static_cast<std::uint32_t>(wanted.size());

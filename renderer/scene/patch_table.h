@@ -17,14 +17,25 @@
 
 namespace knotspan {
 
+// Whether a surface has one normal on both sides of the knot line that a span starts with, and the span
+// before it as many digits of it.
+[[nodiscard]] bool startsSmoothly(const KnotVector& knots, int span);
+
 // The numbers of spans, each kept once however many spans of however many surfaces have the same. A record's
 // spanU is where the table of its span starts (nurbs_basis.glsl); the (degree + 1)^2 numbers before it are
-// the span's Bezier matrix (bezierMatrix), from which the sampling pass makes nets (grid_choice.glsl).
+// the span's Bezier matrix (bezierMatrix), from which the sampling pass makes nets (grid_choice.glsl); before
+// that is 1 where the span starts smoothly, else 0 (edges.glsl).
 template <class Real>
 class SpanTablePool {
 public:
     // Where the table of the span starts.
-    [[nodiscard]] std::uint32_t startOf(const KnotVector& knots, int span, Evaluator evaluator);
+    [[nodiscard]] std::uint32_t startOf(const KnotVector& knots, int span, Evaluator evaluator)
+    {
+        return startOf(knots, span, evaluator, startsSmoothly(knots, span));
+    }
+    // Of a span that stands for another one, which starts so.
+    [[nodiscard]] std::uint32_t startOf(const KnotVector& knots, int span, Evaluator evaluator,
+                                        bool smoothStart);
     [[nodiscard]] const std::vector<Real>& numbers() const { return numbers_; }
     [[nodiscard]] std::vector<Real> takeNumbers() { return std::move(numbers_); }
 

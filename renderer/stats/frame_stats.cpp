@@ -144,6 +144,7 @@ const std::vector<StatField>& statFields()
         KNOTSPAN_FIELD("triangles_culled", "Triangles culled", "", trianglesCulled),
         KNOTSPAN_FIELD("evaluations", "Evaluations", "", evaluations),
         KNOTSPAN_FIELD("samples_saved", "Saved by friends", "", samplesSaved),
+        KNOTSPAN_FIELD("normals_shared", "Shared normals", "", normalsShared),
         KNOTSPAN_FIELD("mesh_groups", "Mesh groups", "", meshGroups),
         KNOTSPAN_FIELD("busy_lanes", "Busy lanes", "", busyLanes),
         KNOTSPAN_FIELD("path_limit", "Limit", "", pathLimit),

@@ -42,6 +42,9 @@ struct FrameStats {
     std::uint64_t evaluations = 0;                 // surface points evaluated to place vertices
     // Along borders that are not oversampled because a friend lies there; of rules that look at friends.
     std::optional<std::uint64_t> samplesSaved;
+    // Points of KSQuads' edges, each once a KSQuad, that were evaluated for the neighbour who owns them and
+    // not again for the KSQuad's own normal, because the surface is smooth there. Of paths that draw tiles.
+    std::optional<std::uint64_t> normalsShared;
     // Of the path mesh: its mesh groups, and which share of their threads' turns made a vertex.
     std::optional<std::uint64_t> meshGroups;
     std::optional<double> busyLanes;

@@ -1,5 +1,5 @@
-// Lines of some pixels' width along the borders of surfaces, slightly in front of them: an instance for each part of a
-// KSQuad's side, a strip.
+// Lines of some pixels' width along the edges of surfaces, slightly in front of them: an instance for each line in a
+// KSQuad's parameters, a strip.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -15,10 +15,7 @@ const float kNearer = 0.002;
 
 vec4 clipAt(EdgeLineRecord line, int step)
 {
-    float t = mix(line.from, line.to, clamp(float(step) / float(EDGE_LINE_SEGMENTS), 0.0, 1.0));
-    bool alongV = line.side == SIDE_START_U || line.side == SIDE_END_U;
-    float fixedT = line.side == SIDE_END_U || line.side == SIDE_END_V ? 1.0 : 0.0;
-    vec2 place = alongV ? vec2(fixedT, t) : vec2(t, fixedT);
+    vec2 place = mix(line.from, line.to, clamp(float(step) / float(EDGE_LINE_SEGMENTS), 0.0, 1.0));
     vec3 view = toView(ksquads[line.ksquad].surface, positionOf(ksquads[line.ksquad], place));
     bool orthographic = (frame.flags & FRAME_ORTHOGRAPHIC) != 0u;
     return toClip(orthographic ? vec3(view.xy, view.z * (1.0 - kNearer)) : view * (1.0 - kNearer));

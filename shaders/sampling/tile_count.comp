@@ -35,6 +35,7 @@ void main()
     if ((grids[ksquad].alongU | grids[ksquad].alongV) != 0u) {
         DrawnGrid grid = drawnGrid(ksquad, frame.snap);
         count = tileCount(tileCut(grid));
+        KNOTSPAN_COUNT(counters.normalsShared, sharedNormals(ksquad, grid))
         if ((frame.flags & FRAME_OVERSAMPLE_STRANGERS) != 0u && (frame.flags & FRAME_OVERSAMPLE_FRIENDS) == 0u)
             KNOTSPAN_COUNT(counters.samplesSaved, samplesSaved(ksquad, grid))
     }

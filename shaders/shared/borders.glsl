@@ -138,7 +138,7 @@ uint snappedToPieces(KNOTSPAN_SOURCE BorderSide border, uint k, uint cells, bool
 KNOTSPAN_INLINE GridVertex insideVertex(uint ksquad, DrawnGrid grid, uint i, uint j)
 {
     KNOTSPAN_PRECISE KNOTSPAN_FLOAT2 t = KNOTSPAN_FLOAT2(float(i) / float(grid.u), float(j) / float(grid.v));
-    return vertexFrom(t, ksquad, t);
+    return ownVertex(ksquad, t);
 }
 
 // Vertex (i, j) of a KSQuad's drawn grid whose border vertices go to those of the edges.
@@ -165,6 +165,24 @@ GridVertex gridVertex(KNOTSPAN_SOURCE uint ksquad, DrawnGrid grid, uint i, uint 
     else if (cells != grid.edges[side])
         k = snapped(k, cells, grid.edges[side], (side & 1u) == 1u, snap);
     return edgeVertex KNOTSPAN_OF_SOURCE(KNOTSPAN_PASS_SOURCE place, ksquad, side, k, grid.edges[side]);
+}
+
+// Of the points along a drawn grid's edges, each once, those of other KSQuads whose normals are the KSQuad's own: one
+// evaluation for both.
+KNOTSPAN_SCENE_TEMPLATE
+uint sharedNormals(KNOTSPAN_SOURCE uint ksquad, DrawnGrid grid)
+{
+    SurfacePlace place = placeOf KNOTSPAN_OF_SOURCE(KNOTSPAN_PASS_SOURCE ksquad);
+    uint count = 0u;
+    for (uint k = 0u; k < 4u; ++k) {
+        uint owner = cornerSource KNOTSPAN_OF_SOURCE(KNOTSPAN_PASS_SOURCE place, k);
+        if (owner / 4u != ksquad && sharesCorner KNOTSPAN_OF_SOURCE(KNOTSPAN_PASS_SOURCE place, ksquad, k, owner))
+            ++count;
+        bool starts = (k & 1u) == 0u && innerNeighbour(place, ksquad, k) != NO_SIDE;
+        if (starts && startsSmoothly KNOTSPAN_OF_SOURCE(KNOTSPAN_PASS_SOURCE ksquad, k == SIDE_START_U, k == SIDE_START_V))
+            count += grid.edges[k] - 1u;
+    }
+    return count;
 }
 
 #ifdef __cplusplus

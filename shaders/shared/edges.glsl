@@ -77,11 +77,12 @@ KNOTSPAN_INLINE uint borderCornerIndex(SurfacePlace place, uint i, uint j)
     return place.firstBorder + 2u * (place.spansU + 1u) + (i == 0u ? 0u : place.spansV - 1u) + j - 1u;
 }
 
-// Where a vertex's position comes from, and what its parameters are. The normal is always the KSQuad's own.
+// Where a vertex's position comes from, and what its parameters are.
 struct GridVertex {
     KNOTSPAN_FLOAT2 t;        // in the KSQuad itself
     uint source;              // the KSQuad whose point it is
     KNOTSPAN_FLOAT2 sourceT;  // there
+    bool sharesNormal;        // its normal and weight there are the KSQuad's own, too; else those are at t
 };
 
 KNOTSPAN_INLINE KNOTSPAN_FLOAT2 cornerParameters(uint corner)
@@ -97,6 +98,13 @@ KNOTSPAN_INLINE KNOTSPAN_FLOAT2 sideParameters(uint side, float t)
     return KNOTSPAN_FLOAT2(t, side == SIDE_END_V ? 1.0f : 0.0f);
 }
 
+// The least 4 ksquad + corner at lattice place (i, j) of a surface.
+KNOTSPAN_INLINE uint leastCorner(SurfacePlace place, uint i, uint j)
+{
+    uint before = place.firstKsquad + (i > 0u ? (i - 1u) * place.spansV : 0u) + (j > 0u ? j - 1u : 0u);
+    return 4u * before + (i > 0u ? 1u : 0u) + (j > 0u ? 2u : 0u);
+}
+
 // 4 ksquad + corner that owns a corner's point.
 KNOTSPAN_SCENE_TEMPLATE
 uint cornerSource(KNOTSPAN_SOURCE SurfacePlace place, uint corner)
@@ -104,8 +112,38 @@ uint cornerSource(KNOTSPAN_SOURCE SurfacePlace place, uint corner)
     uint i = place.a + (corner & 1u);
     uint j = place.b + (corner >> 1u & 1u);
     if (i > 0u && i < place.spansU && j > 0u && j < place.spansV)
-        return 4u * (place.firstKsquad + (i - 1u) * place.spansV + j - 1u) + 3u;
+        return leastCorner(place, i, j);
     return KNOTSPAN_BORDER_CORNER(borderCornerIndex(place, i, j));
+}
+
+// Whether a KSQuad's surface is smooth across the knot lines that it starts with along u and along v, those that are asked
+// for: one normal for both sides. SpanTablePool says so in front of the spans' matrices.
+KNOTSPAN_SCENE_TEMPLATE
+bool startsSmoothly(KNOTSPAN_SOURCE uint ksquad, bool alongU, bool alongV)
+{
+    uint surface = KNOTSPAN_KSQUAD(ksquad).surface;
+    uint orderU = KNOTSPAN_SURFACE(surface).degreeU + 1u;
+    uint orderV = KNOTSPAN_SURFACE(surface).degreeV + 1u;
+    bool smoothly = true;
+    if (alongU)
+        smoothly = KNOTSPAN_TABLE(KNOTSPAN_KSQUAD(ksquad).spanU - orderU * orderU - 1u) != 0.0f;
+    if (alongV)
+        smoothly = smoothly && KNOTSPAN_TABLE(KNOTSPAN_KSQUAD(ksquad).spanV - orderV * orderV - 1u) != 0.0f;
+    return smoothly;
+}
+
+// Whether `owner`, 4 ksquad + corner, that a corner's point comes from, has its normal, too: where it is the same corner of
+// the same surface, seen from a KSQuad before.
+KNOTSPAN_SCENE_TEMPLATE
+bool sharesCorner(KNOTSPAN_SOURCE SurfacePlace place, uint ksquad, uint corner, uint owner)
+{
+    uint i = place.a + (corner & 1u);
+    uint j = place.b + (corner >> 1u & 1u);
+    if (owner != leastCorner(place, i, j))
+        return false;
+    bool acrossU = i > 0u && (corner & 1u) == 0u;
+    bool acrossV = j > 0u && (corner & 2u) == 0u;
+    return startsSmoothly KNOTSPAN_OF_SOURCE(KNOTSPAN_PASS_SOURCE ksquad, acrossU, acrossV);
 }
 
 KNOTSPAN_INLINE uint cellsAlong(GridRecord grid, uint side)
@@ -176,6 +214,15 @@ KNOTSPAN_INLINE GridVertex vertexFrom(KNOTSPAN_FLOAT2 t, uint source, KNOTSPAN_F
     vertex.t = t;
     vertex.source = source;
     vertex.sourceT = sourceT;
+    vertex.sharesNormal = false;
+    return vertex;
+}
+
+// A point of the KSQuad itself.
+KNOTSPAN_INLINE GridVertex ownVertex(uint ksquad, KNOTSPAN_FLOAT2 t)
+{
+    GridVertex vertex = vertexFrom(t, ksquad, t);
+    vertex.sharesNormal = true;
     return vertex;
 }
 
@@ -238,7 +285,10 @@ GridVertex edgeVertex(KNOTSPAN_SOURCE SurfacePlace place, uint ksquad, uint side
         uint end = k == 0u ? 0u : 1u;
         uint corner = alongV ? (side & 1u) + 2u * end : end + 2u * (side & 1u);
         uint owner = cornerSource KNOTSPAN_OF_SOURCE(KNOTSPAN_PASS_SOURCE place, corner);
-        return vertexFrom(cornerParameters(corner), owner / 4u, cornerParameters(owner & 3u));
+        GridVertex vertex = vertexFrom(cornerParameters(corner), owner / 4u, cornerParameters(owner & 3u));
+        vertex.sharesNormal =
+            sharesCorner KNOTSPAN_OF_SOURCE(KNOTSPAN_PASS_SOURCE place, ksquad, corner, owner);
+        return vertex;
     }
     KNOTSPAN_PRECISE float t = float(k) / float(cells);
     KNOTSPAN_FLOAT2 own = sideParameters(side, t);
@@ -246,8 +296,11 @@ GridVertex edgeVertex(KNOTSPAN_SOURCE SurfacePlace place, uint ksquad, uint side
     if (inner != NO_SIDE) {
         // The side before the edge owns it.
         if ((side & 1u) == 1u)
-            return vertexFrom(own, ksquad, own);
-        return vertexFrom(own, inner / 4u, sideParameters(inner & 3u, t));
+            return ownVertex(ksquad, own);
+        GridVertex vertex = vertexFrom(own, inner / 4u, sideParameters(inner & 3u, t));
+        vertex.sharesNormal =
+            startsSmoothly KNOTSPAN_OF_SOURCE(KNOTSPAN_PASS_SOURCE ksquad, alongV, !alongV);
+        return vertex;
     }
     BorderSide border = KNOTSPAN_BORDER_SIDE(borderSideIndex(place, side));
     uint kind = border.flags & BORDER_KIND;
@@ -263,7 +316,7 @@ GridVertex edgeVertex(KNOTSPAN_SOURCE SurfacePlace place, uint ksquad, uint side
         KNOTSPAN_PRECISE float there = float(reversed ? cells - k : k) / float(cells);
         return vertexFrom(own, border.other / 4u, sideParameters(border.other & 3u, there));
     }
-    return vertexFrom(own, ksquad, own);
+    return ownVertex(ksquad, own);
 }
 
 #ifdef __cplusplus

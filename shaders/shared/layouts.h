@@ -195,6 +195,7 @@ struct Counters {
     uint triangles[2];
     uint evaluations[2];
     uint samplesSaved[2];  // along borders that have a friend, and so are not oversampled
+    uint normalsShared[2];  // of edges' points, with the owner's position (sharedNormals)
     uint trianglesCulled[2];  // of `triangles`, by evs
     uint wronglyCulled[KNOTSPAN_CULL_MODE_COUNT];  // of culled: what shows (wrong_culls.comp)
 };
@@ -268,12 +269,11 @@ struct ObjectVertex {
     float weight;  // of the KSQuad at t
 };
 
-// A part of a KSQuad's side that is drawn as a line.
+// A straight part of a KSQuad's (t_u, t_v) that is drawn as a line on the surface.
 struct EdgeLineRecord {
     uint ksquad;
-    uint side;  // SIDE_...
-    float from;  // the side's t
-    float to;
+    vec2 from;
+    vec2 to;
     uint colour;      // 0xRRGGBB
     float halfWidth;  // pixels
 };
@@ -296,7 +296,7 @@ static_assert(sizeof(GridRecord) == 8 && sizeof(TileRecord) == 24);
 static_assert(sizeof(KsQuadRecord) == 16 && sizeof(CapturedRecord) == 56);
 static_assert(sizeof(RequestRecord<float>) == 12 && sizeof(RequestRecord<double>) == 24);
 static_assert(sizeof(EvaluatedRecord<float>) == 48 && sizeof(EvaluatedRecord<double>) == 96);
-static_assert(sizeof(WaveRecord) == 32 && sizeof(EdgeLineRecord) == 24);
+static_assert(sizeof(WaveRecord) == 32 && sizeof(EdgeLineRecord) == 28);
 static_assert(sizeof(IndexedDrawRecord) == 20 && sizeof(VertexRecord) == 56 && sizeof(ObjectVertex) == 44);
 static_assert(sizeof(DrawRecord) == 16 && sizeof(OverlayConstants) == 36);
 }  // namespace knotspan::gpu

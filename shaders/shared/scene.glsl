@@ -63,12 +63,13 @@ struct SurfaceVertex {
 };
 
 // A vertex at t of a KSQuad whose position is the point at sourceT of `source`: the KSQuad itself (`same`) or, along an
-// edge, the edge's owner.
+// edge, the edge's owner, whose normal and weight may be the KSQuad's own (`shares`): one evaluation for both.
 //
 // Where the tangents tell no normal (one is zero or all rounding error, as at a pole, or both point the same way), it
 // is that of the nearest point a little further inside the KSQuad whose tangents do. One loop, so that the evaluation
 // stands in a stage once: the software driver compiles it for seconds, and both sides of an edge get the same bits.
-SurfaceVertex placedVertex(KsQuadRecord ksquad, KNOTSPAN_VEC2 t, KsQuadRecord source, KNOTSPAN_VEC2 sourceT, bool same)
+SurfaceVertex placedVertex(KsQuadRecord ksquad, KNOTSPAN_VEC2 t, KsQuadRecord source, KNOTSPAN_VEC2 sourceT, bool same,
+                           bool shares)
 {
     const Real kLeastSine = 32.0 * KNOTSPAN_ROUNDING;
     SurfaceVertex vertex;
@@ -76,27 +77,29 @@ SurfaceVertex placedVertex(KsQuadRecord ksquad, KNOTSPAN_VEC2 t, KsQuadRecord so
     Real inwards = 0.0;
     KsQuadRecord seen = source;
     KNOTSPAN_VEC2 place = sourceT;
-    bool telling = same;
+    bool own = same;
     for (int attempt = 0; attempt < 6; ++attempt) {
         SurfaceSample at = sampleKsQuad(seen, place);
         if (attempt == 0)
             vertex.at = at;
-        if (telling) {
+        if (own || shares) {
             if (inwards == 0.0)
                 vertex.weight = at.weight;
             KNOTSPAN_VEC3 n = cross(directionOf(at.du), directionOf(at.dv));
             Real rounding = KNOTSPAN_ROUNDING * largest(at.position);
             bool tells = min(largest(at.du), largest(at.dv)) > rounding && dot(n, n) > kLeastSine * kLeastSine;
-            if (tells || vertex.normal == KNOTSPAN_VEC3(0.0))
+            if (tells || (own && vertex.normal == KNOTSPAN_VEC3(0.0)))
                 vertex.normal = directionOf(n);
             if (tells)
                 break;
+        }
+        if (own) {
             inwards = max(8.0 * inwards, 0.0009765625);
             place = mix(t, KNOTSPAN_VEC2(0.5), inwards);
         } else {
             seen = ksquad;
             place = t;
-            telling = true;
+            own = true;
         }
     }
     if (vertex.normal == KNOTSPAN_VEC3(0.0))
@@ -104,7 +107,7 @@ SurfaceVertex placedVertex(KsQuadRecord ksquad, KNOTSPAN_VEC2 t, KsQuadRecord so
     return vertex;
 }
 
-SurfaceVertex vertexOf(KsQuadRecord ksquad, KNOTSPAN_VEC2 t) { return placedVertex(ksquad, t, ksquad, t, true); }
+SurfaceVertex vertexOf(KsQuadRecord ksquad, KNOTSPAN_VEC2 t) { return placedVertex(ksquad, t, ksquad, t, true, true); }
 
 vec3 toView(uint surface, vec3 position) { return surfaceViews[surface].modelView * vec4(position, 1.0); }
 

@@ -14,7 +14,7 @@ DrawnVertex drawnVertex(GridVertex at, uint index)
 {
     KsQuadRecord ksquad = ksquads[index];
     KsQuadRecord source = ksquads[at.source];
-    SurfaceVertex vertex = placedVertex(ksquad, at.t, source, at.sourceT, at.source == index);
+    SurfaceVertex vertex = placedVertex(ksquad, at.t, source, at.sourceT, at.source == index, at.sharesNormal);
     DrawnVertex drawn;
     drawn.view = toView(source.surface, vertex.at.position);
     drawn.clip = toClip(drawn.view);

@@ -21,7 +21,7 @@ void main()
     GridVertex at;
     if (max(abs(place.x - whole.x), abs(place.y - whole.y)) > 0.25) {
         vec2 t = place / vec2(grid.u, grid.v);  // of the middle row that the tessellator made of a single one
-        at = vertexFrom(t, tile.ksquad, t);
+        at = ownVertex(tile.ksquad, t);
     } else {
         at = gridVertex(tile.ksquad, grid, uint(whole.x), uint(whole.y), frame.snap);
     }

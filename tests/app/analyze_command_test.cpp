@@ -101,7 +101,7 @@ TEST_F(AnalyzeCommand, JsonHasTheNamesOfTheContract)
 {
     write({ramp(0), ramp(0, -1), ramp(0, 1)}, {0, 0, 0.002});
     const Json json = this->json();
-    EXPECT_EQ(namesOf(json), (Names{"edges", "naked_edges", "summary"}));
+    EXPECT_EQ(namesOf(json), (Names{"creases", "edges", "naked_edges", "summary"}));
     ASSERT_FALSE(json.at("edges").empty());
     for (const Json& edge : json.at("edges")) {
         EXPECT_EQ(namesOf(edge), (Names{"a", "angle_bound_deg", "angle_max_deg", "b", "continuity",
@@ -256,6 +256,42 @@ TEST_F(AnalyzeCommand, TheTableNamesWhatMissesFirst)
     EXPECT_EQ(analyze().output.find("more"), std::string::npos);
 }
 
+TEST_F(AnalyzeCommand, AGapThatSwallowsTheModelIsNoPass)
+{
+    writeSample("single-100");
+    for (const auto& options : {Names{"--gap", "100"}, Names{"--gap", "100", "--closed"}}) {
+        const ProgramRun run = analyze(options);
+        EXPECT_EQ(run.exitCode, 3);
+        EXPECT_NE(run.messages.find("4 edges are no longer than three gap tolerances"), std::string::npos)
+            << run.messages;
+        EXPECT_NE(run.output.find("give a smaller --gap"), std::string::npos) << run.output;
+    }
+    EXPECT_EQ(json({"--gap", "100"}).at("summary").at("short_edges"), 4);
+    EXPECT_EQ(json().at("summary").at("short_edges"), 0);
+    writeSample("sphere");  // whose poles are short whatever the tolerance
+    EXPECT_EQ(json().at("summary").at("short_edges"), 0);
+}
+
+TEST_F(AnalyzeCommand, CreasesInsideASurfaceAreListed)
+{
+    const NurbsSurface roof =
+        surfaceOf(clampedIntegerKnots(1, 2), clampedIntegerKnots(1, 1), [](int i, int j) {
+            return ControlPoint{{i, j, i == 1 ? 1 : 0}, 1};
+        });
+    write({roof});
+    const ProgramRun run = analyze();
+    EXPECT_EQ(run.exitCode, 0);
+    EXPECT_NE(run.messages.find("1 crease lies inside a surface"), std::string::npos) << run.messages;
+    EXPECT_NE(run.output.find("0 Part 0: u = 1, 90 degrees"), std::string::npos) << run.output;
+    const Json crease = json().at("creases").at(0);
+    EXPECT_EQ(crease.at("direction"), "u");
+    EXPECT_NEAR(crease.at("angle_max_deg"), 90, 1e-9);
+    for (const char* smooth : {"sphere", "torus", "nine-16"}) {  // of double knots, some of them
+        writeSample(smooth);
+        EXPECT_TRUE(json().at("creases").empty()) << smooth;
+    }
+}
+
 TEST_F(AnalyzeCommand, LeavesHiddenSurfacesOutAndSaysSo)
 {
     write({ramp(0), ramp(0.5, -1), ramp(0, -1)});
@@ -317,6 +353,7 @@ TEST_F(AnalyzeCommand, AnalyzesOrRefusesEveryRealFileWithoutACrash)
         const Json summary = Json::parse(run.output).at("summary");
         EXPECT_EQ(summary.at("passes"), run.exitCode == 0);
         EXPECT_EQ(summary.at("misses").empty(), run.exitCode == 0);
+        EXPECT_EQ(summary.at("edges").get<size_t>() + summary.at("naked_edges").get<size_t>() > 0, true);
     }
     EXPECT_GE(analyzed, 10U);
 }

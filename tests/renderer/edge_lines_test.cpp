@@ -1,6 +1,7 @@
 // Lines along the borders of surfaces: where they are, what hides them, and that they cost nothing without.
 #include <algorithm>
 
+#include "model/geometry/evaluation.h"
 #include "model/samples/sample_list.h"
 #include "tests/renderer/render_support.h"
 
@@ -56,7 +57,7 @@ TEST_P(EdgeLineTest, LieOnTheSidesAndPartsThatWereAskedFor)
     const NurbsSurface& surface = scene.find(id)->surface;
     const double end = surface.knotsU().domainEnd();
     const double start = surface.knotsU().domainStart();
-    frame.overlays.edgeLines = {{id, Side::startV, start, (start + end) / 2, kOrange, 3}};
+    frame.overlays.edgeLines = {{id, {0, Side::startV, start, (start + end) / 2}, kOrange, 3}};
     const Picture picture = drawn(*sharedRenderer(), scene, frame).picture;
     EXPECT_GT(pixelsOf(picture, kOrange), 50U);
     const int rows = surface.countU();
@@ -68,12 +69,50 @@ TEST_P(EdgeLineTest, LieOnTheSidesAndPartsThatWereAskedFor)
     EXPECT_FALSE(isNear(picture, pixelOf(rows - 1, 0), kOrange));
     EXPECT_FALSE(isNear(picture, pixelOf(0, surface.countV() - 1), kOrange));
     for (const Side side : {Side::startU, Side::endU, Side::startV, Side::endV}) {
-        frame.overlays.edgeLines = {{id, side, start, end, kOrange, 3}};
+        frame.overlays.edgeLines = {{id, {0, side, start, end}, kOrange, 3}};
         const Picture whole = drawn(*sharedRenderer(), scene, frame).picture;
         const bool far1 = side == Side::endU;
         const bool far2 = side == Side::endV;
         EXPECT_TRUE(isNear(whole, pixelOf(far1 ? rows - 1 : 0, far2 ? surface.countV() - 1 : 0), kOrange));
     }
+}
+
+// A circle in the parameters, drawn half.
+TEST_P(EdgeLineTest, FollowTrimCurvesThroughTheSurface)
+{
+    SceneObject trimmed = *scene.find(id);
+    const KnotVector& knots = trimmed.surface.knotsU();
+    const double size = knots.domainEnd() - knots.domainStart();
+    const Vec2 centre(knots.domainStart() + 0.5 * size);
+    std::vector<TrimPoint> points;
+    std::vector<double> circle{0, 0, 0};
+    for (int k = 0; k <= 8; ++k) {
+        const double angle = k * std::acos(-1.0) / 4;
+        const bool corner = k % 2 == 1;
+        points.push_back(
+            {centre + 0.35 * size * (corner ? std::sqrt(2.0) : 1) * Vec2(std::cos(angle), std::sin(angle)),
+             corner ? std::sqrt(0.5) : 1});
+        if (k > 0 && k < 8 && !corner)
+            circle.insert(circle.end(), 2, k / 2);
+    }
+    circle.insert(circle.end(), 3, 4);
+    const TrimCurve curve = TrimCurve::create(KnotVector::create(2, circle).value(), points).value();
+    trimmed.trimLoops = {{true, {curve}}};
+    scene.exchange(id, std::make_shared<SceneObject>(trimmed));
+    frame.camera = frameOf(scene, GetParam(), 240, 180, "top").camera;  // where nothing hides the line
+    frame.overlays.edgeLines = {{id, {0, {}, 0, 2, TrimPlace{0, 0}}, kOrange, 3}};
+    const Picture picture = drawn(*sharedRenderer(), scene, frame).picture;
+    const auto isSeenAt = [&](double t) {
+        const Vec2 at = curve.evaluate(t);
+        const Vec3 point = transformed(evaluate(trimmed.surface, at.x, at.y).position, trimmed.transform);
+        return isNear(picture, frame.camera.toPixel(point, frame.width, frame.height).value(), kOrange);
+    };
+    for (const double t : {0.05, 0.4, 0.9, 1.3, 1.7, 1.95})
+        EXPECT_TRUE(isSeenAt(t)) << t;
+    for (const double t : {2.3, 2.9, 3.7})
+        EXPECT_FALSE(isSeenAt(t)) << t;
+    frame.overlays.edgeLines = {{id, {0, {}, 0, 2, TrimPlace{0, 1}}, kOrange, 3}};  // there is none
+    EXPECT_EQ(pixelsOf(drawn(*sharedRenderer(), scene, frame).picture, kOrange), 0U);
 }
 
 // Of each way to pack a scene one.
@@ -94,7 +133,7 @@ TEST(EdgeLines, CostNothingWhereThereAreNone)
     const Picture bare = drawn(*renderer, scene, frame).picture;
     EXPECT_EQ(renderer->draw(frame)->uploadBytesPerFrame, 0U);
     Frame lined = frame;
-    lined.overlays.edgeLines = {{id, Side::startU, 0, 1, kOrange, 3}};
+    lined.overlays.edgeLines = {{id, {0, Side::startU, 0, 1}, kOrange, 3}};
     const auto first = renderer->draw(lined);
     ASSERT_TRUE(first);
     EXPECT_GT(pixelsOf(renderer->capture().value(), kOrange), 0U);
@@ -113,7 +152,7 @@ TEST(EdgeLines, AreHiddenByWhatIsInFront)
     SceneObject lid = *scene.find(id);
     lid.transform = Mat4(Vec4(3, 0, 0, 0), Vec4(0, 3, 0, 0), Vec4(0, 0, 1, 0), Vec4(0, 0, 20, 1));
     Frame frame = frameOf(scene, renderer->bestPath(), 160, 120, "top");
-    frame.overlays.edgeLines = {{id, Side::startU, 0, 1, kOrange, 3}};
+    frame.overlays.edgeLines = {{id, {0, Side::startU, 0, 1}, kOrange, 3}};
     EXPECT_GT(pixelsOf(drawn(*renderer, scene, frame).picture, kOrange), 20U);
     const Box bounds = scene.bounds();
     lid.transform[3] = Vec4(bounds.centre() * -2.0, 1);
@@ -130,8 +169,8 @@ TEST(EdgeLines, ThatNameNothingAreLeftOut)
     const Scene scene = findSample("single-100")->make();
     const ObjectId id = scene.objects().begin()->first;
     Frame frame = frameOf(scene, renderer->bestPath(), 160, 120);
-    frame.overlays.edgeLines = {{ObjectId(99), Side::startU, 0, 1, kOrange, 3},
-                                {id, Side::startU, 1e6, 2e6, kOrange, 3}};
+    frame.overlays.edgeLines = {{ObjectId(99), {0, Side::startU, 0, 1}, kOrange, 3},
+                                {id, {0, Side::startU, 1e6, 2e6}, kOrange, 3}};
     EXPECT_EQ(pixelsOf(drawn(*renderer, scene, frame).picture, kOrange), 0U);
 }
 

@@ -52,8 +52,8 @@ TEST_F(Sync, SendsTheRecordOfASurfaceWhoseCornerMoved)
     EXPECT_EQ(bytesOfNextFrame(), 16U + sizeof(gpu::SurfaceRecord));
 }
 
-// Nine bicubic patches: a record of 16 bytes for each and, because all have the same knots, one table: a
-// Bezier matrix and (p + 1)^2 floats.
+// Nine bicubic patches: a record of 16 bytes for each and, because all have the same knots, one table:
+// whether its span starts smoothly, a Bezier matrix and (p + 1)^2 floats.
 TEST_F(Sync, SendsTablesAndTheirPlacesForAnotherEvaluatorAndDrawsTheSame)
 {
     SetUpScene();
@@ -62,7 +62,7 @@ TEST_F(Sync, SendsTablesAndTheirPlacesForAnotherEvaluatorAndDrawsTheSame)
     frame.evaluator = Evaluator::power;
     const Drawn after = drawn(*renderer, scene, frame);
     EXPECT_EQ(after.stats.evaluator, "power");
-    EXPECT_EQ(after.stats.uploadBytesPerFrame, 9U * 16 + 2 * 16 * 4);
+    EXPECT_EQ(after.stats.uploadBytesPerFrame, 9U * 16 + (1 + 2 * 16) * 4);
     EXPECT_LT(compare(before, after.picture).meanShaded, 0.01);
     EXPECT_EQ(bytesOfNextFrame(), 0U);
 }

@@ -7,83 +7,13 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "model/geometry/evaluation.h"
 #include "model/samples/samples.h"
-#include "renderer/scene/shared_edges.h"
 #include "shaders/shared/ring.glsl"
 #include "tests/joined_surfaces.h"
+#include "tests/shaders/border_model.h"
 
 namespace knotspan::testing {
 namespace {
-
-// What the stages read, from memory.
-struct BorderSource {
-    const BorderTables* tables = nullptr;
-    std::vector<gpu::SurfaceRecord> surfaces;
-    std::vector<gpu::KsQuadRecord> ksquads;
-    std::vector<gpu::GridRecord> grids;
-
-    [[nodiscard]] const gpu::SurfaceRecord& surface(std::uint32_t k) const { return surfaces.at(k); }
-    [[nodiscard]] const gpu::KsQuadRecord& ksquad(std::uint32_t k) const { return ksquads.at(k); }
-    [[nodiscard]] const gpu::GridRecord& grid(std::uint32_t k) const { return grids.at(k); }
-    [[nodiscard]] const gpu::BorderSide& borderSide(std::uint32_t k) const { return tables->sides.at(k); }
-    [[nodiscard]] std::uint32_t borderCorner(std::uint32_t k) const { return tables->corners.at(k); }
-    [[nodiscard]] const gpu::BorderPiece& borderPiece(std::uint32_t k) const { return tables->pieces.at(k); }
-    [[nodiscard]] const gpu::BorderUse& borderUse(std::uint32_t k) const { return tables->uses.at(k); }
-};
-
-struct Model {
-    explicit Model(std::vector<PlacedSurface> placedSurfaces)
-        : placed(std::move(placedSurfaces)),
-          edges(placed)
-    {
-        source.tables = &edges.tables();
-        for (const BorderNumbers& numbers : borderNumbers(placed)) {
-            gpu::SurfaceRecord record{};
-            record.firstKsquad = numbers.firstKsquad;
-            record.spansU = numbers.spansU;
-            record.spansV = numbers.spansV;
-            record.firstBorder = numbers.firstBorder;
-            for (std::uint32_t k = 0; k < numbers.spansU * numbers.spansV; ++k)
-                source.ksquads.push_back({static_cast<std::uint32_t>(source.surfaces.size()), 0, 0, 0});
-            source.surfaces.push_back(record);
-        }
-    }
-    Model(const Model&) = delete;
-    Model& operator=(const Model&) = delete;
-
-    [[nodiscard]] Vec3 pointAt(std::uint32_t ksquad, const gpu::vec2& t) const
-    {
-        const auto place = gpu::placeOf(source, ksquad);
-        const NurbsSurface& surface = *placed[source.ksquads[ksquad].surface].surface;
-        const auto at = [](const KnotVector& knots, std::uint32_t span, double x) {
-            const int k = knots.spans()[span];
-            return knots[k] + x * (knots[k + 1] - knots[k]);
-        };
-        return evaluate(surface, at(surface.knotsU(), place.a, t.x), at(surface.knotsV(), place.b, t.y))
-            .position;
-    }
-
-    std::vector<PlacedSurface> placed;
-    SharedEdges edges;
-    BorderSource source;
-};
-
-// Asked alike on opposite sides, as the bound does, or differently; some KSQuads are not drawn.
-void ask(Model& model, std::mt19937& random, bool alike, std::uint32_t most)
-{
-    std::uniform_int_distribution<std::uint32_t> cells(1, most);
-    model.source.grids.clear();
-    for (size_t k = 0; k < model.source.ksquads.size(); ++k) {
-        const std::uint32_t u = cells(random);
-        const std::uint32_t v = cells(random);
-        gpu::GridRecord grid =
-            alike ? gpu::gridRecord(v, v, u, u) : gpu::gridRecord(v, cells(random), u, cells(random));
-        if (random() % 8 == 0)
-            grid = {};
-        model.source.grids.push_back(grid);
-    }
-}
 
 template <class Check>
 void forAllModels(const Check& look)

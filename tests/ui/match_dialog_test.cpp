@@ -1,130 +1,10 @@
-#include "ui/match_dialog.h"
-
-#include <gtest/gtest.h>
-
-#include <QAction>
-#include <QCheckBox>
-#include <QComboBox>
-#include <QDoubleSpinBox>
-#include <QLabel>
-#include <QPushButton>
-#include <QTest>
-
 #include "model/geometry/knot_insertion.h"
-#include "tests/ui/window_harness.h"
-#include "ui/document_files.h"
+#include "tests/ui/match_dialog_harness.h"
 
 namespace knotspan {
 namespace {
 
 using namespace knotspan::testing;
-
-// The window with the patchwork, one cushion selected, and the dialog.
-struct Opened {
-    Answers answers;
-    MainWindow window{answering(answers)};
-    Scene start;
-    MatchDialog* dialog = nullptr;
-
-    Opened()
-    {
-        window.files().openSample("nine-16");
-        start = scene();
-        window.show();
-        window.selection().setObjects({start.objects().begin()->first});
-        window.action("edit.matchEdge")->trigger();
-        dialog = window.findChild<MatchDialog*>();
-        wait();
-    }
-
-    void wait() const
-    {
-        EXPECT_TRUE(QTest::qWaitFor([this] { return !dialog->isLooking(); }, 10'000));
-    }
-    [[nodiscard]] const Scene& scene() { return window.document().scene(); }
-    [[nodiscard]] int steps() { return window.document().undoStack().count(); }
-    [[nodiscard]] QComboBox& box(const char* name) const { return *dialog->findChild<QComboBox*>(name); }
-    [[nodiscard]] QPushButton& button(const char* name) const
-    {
-        return *dialog->findChild<QPushButton*>(name);
-    }
-    [[nodiscard]] std::string details() const
-    {
-        return dialog->findChild<QLabel*>("details")->text().toStdString();
-    }
-    void click(const char* name) const { QTest::mouseClick(&button(name), Qt::LeftButton); }
-    [[nodiscard]] bool isSmooth()
-    {
-        const auto edge = foundAgain(scene(), *dialog->edge(), {});
-        return edge && edge->edge.areFriends();
-    }
-    // The first that Match can mend as the dialog stands.
-    void chooseOneThatWorks() const
-    {
-        wait();
-        for (int row = 0; row < box("edge").count() && !button("apply").isEnabled(); ++row) {
-            box("edge").setCurrentIndex(row);
-            Q_EMIT box("edge").activated(row);
-            wait();
-        }
-        ASSERT_TRUE(button("apply").isEnabled()) << details();
-    }
-};
-
-bool says(const std::string& text, const std::string& part)
-{
-    return text.find(part) != std::string::npos;
-}
-
-TEST(MatchDialog, ShowsWhatMovesBeforeItIsAppliedAndApplyIsOneStep)
-{
-    Opened opened;
-    ASSERT_EQ(opened.box("edge").count(), 2);
-    opened.chooseOneThatWorks();
-    EXPECT_TRUE(says(opened.details(), "Now: G0, largest angle")) << opened.details();
-    EXPECT_TRUE(says(opened.details(), "Then: largest angle")) << opened.details();
-    EXPECT_TRUE(says(opened.details(), "moves by")) << opened.details();
-    EXPECT_TRUE(says(opened.details(), "of the control points along")) << opened.details();
-    EXPECT_TRUE(opened.dialog->isPreviewing());
-    EXPECT_TRUE(opened.isSmooth());  // as the viewport shows it
-    const Scene shown = opened.scene();
-
-    opened.click("apply");
-    opened.wait();
-    EXPECT_FALSE(opened.dialog->isPreviewing());
-    EXPECT_TRUE(opened.scene() == shown);
-    EXPECT_EQ(opened.steps(), 1);
-    EXPECT_EQ(opened.window.document().undoText(), "Match edge");
-    EXPECT_TRUE(says(opened.details(), "Done.")) << opened.details();
-    EXPECT_TRUE(says(opened.details(), "Now: G1")) << opened.details();
-    opened.window.action("edit.undo")->trigger();
-    EXPECT_TRUE(opened.scene() == opened.start);
-}
-
-TEST(MatchDialog, EscapeTakesThePreviewBackToTheBit)
-{
-    Opened opened;
-    opened.chooseOneThatWorks();
-    EXPECT_FALSE(opened.scene() == opened.start);
-    QTest::keyClick(opened.dialog, Qt::Key_Escape);
-    EXPECT_FALSE(opened.dialog->isVisible());
-    for (const auto& [id, object] : opened.start.objects())
-        EXPECT_EQ(opened.scene().find(id), object);  // the very same
-    EXPECT_EQ(opened.steps(), 0);
-    EXPECT_FALSE(opened.window.document().isModified());
-}
-
-TEST(MatchDialog, WithoutThePreviewNothingMovesUntilApply)
-{
-    Opened opened;
-    opened.chooseOneThatWorks();
-    QTest::mouseClick(opened.dialog->findChild<QCheckBox*>("preview"), Qt::LeftButton, {}, QPoint(8, 8));
-    EXPECT_FALSE(opened.dialog->isPreviewing());
-    EXPECT_TRUE(opened.scene() == opened.start);
-    opened.click("apply");
-    EXPECT_TRUE(opened.isSmooth());
-    EXPECT_EQ(opened.steps(), 1);
-}
 
 TEST(MatchDialog, MovesTheSideThatIsChosen)
 {
@@ -175,28 +55,74 @@ TEST(MatchDialog, SaysWhyItCannot)
     EXPECT_TRUE(opened.scene() == folded);
 }
 
-TEST(MatchDialog, WhateverElseIsDoneKeepsThePreviewAsAStep)
+TEST(MatchDialog, ItsEdgeIsTheOneThatTheViewportMarks)
 {
     Opened opened;
+    ShownFriends& shown = opened.window.shownFriends();
+    const auto isMarked = [&] {
+        const auto number = numberAmong(opened.window.friends().friends(), *opened.dialog->edge());
+        return number && shown.chosen() == number;
+    };
     opened.chooseOneThatWorks();
-    const Scene shown = opened.scene();
-    const ObjectId last = opened.start.objects().rbegin()->first;
-    opened.window.selection().setObjects({last});
-    opened.chooseOneThatWorks();
-    const Scene other = opened.scene();
-    EXPECT_FALSE(other == shown);
-    opened.window.action("edit.delete")->trigger();
-    EXPECT_EQ(opened.steps(), 2);
-    EXPECT_FALSE(opened.dialog->isPreviewing());
+    EXPECT_TRUE(isMarked());
+    EXPECT_FALSE(shown.lines().empty());
+    const int another = opened.box("edge").currentIndex() == 0 ? 1 : 0;
+    opened.box("edge").setCurrentIndex(another);
+    Q_EMIT opened.box("edge").activated(another);
     opened.wait();
-    EXPECT_TRUE(says(opened.details(), "no longer there")) << opened.details();
-    opened.window.document().undo();
-    EXPECT_TRUE(opened.scene() == other);
-    opened.window.document().undo();
-    EXPECT_TRUE(opened.scene() == opened.start);
+    EXPECT_EQ(opened.box("edge").currentIndex(), another);
+    EXPECT_TRUE(isMarked());
+    QTest::keyClick(opened.dialog, Qt::Key_Escape);
+    EXPECT_FALSE(shown.chosen());
+    EXPECT_TRUE(shown.lines().empty());
+}
+
+TEST(MatchDialog, ALaterSelectionCountsMoreThanTheChosenEdge)
+{
+    Opened opened;
+    QTest::keyClick(opened.dialog, Qt::Key_Escape);
+    ShownFriends& shown = opened.window.shownFriends();
+    const SceneFriends& friends = opened.window.friends().friends();
+    const FriendEdge& edge = friends.edges().back();
+    const ObjectId first = opened.start.objects().begin()->first;
+    ASSERT_NE(friends.objects()[edge.a.surface], first);
+    shown.choose(friends.edges().size() - 1);
+    opened.window.selection().setObjects({friends.objects()[edge.a.surface]});
+    EXPECT_TRUE(shown.chosen());  // it has the edge
+    opened.window.selection().setObjects({first});
+    EXPECT_FALSE(shown.chosen());
+    EXPECT_TRUE(shown.lines().empty());
+    opened.window.action("edit.matchEdge")->trigger();
     opened.wait();
-    EXPECT_TRUE(says(opened.details(), "Now: G0")) << opened.details();
-    EXPECT_TRUE(opened.scene() == opened.start);  // it waits for the hand before it shows anything again
+    ASSERT_TRUE(opened.dialog->edge());
+    EXPECT_TRUE(opened.dialog->edge()->a == first || opened.dialog->edge()->b == first);
+    QTest::keyClick(opened.dialog, Qt::Key_Escape);
+
+    shown.choose(0);
+    opened.window.action("edit.deselect")->trigger();
+    EXPECT_FALSE(shown.chosen());
+}
+
+TEST(MatchDialog, SaysWhatElseItChanges)
+{
+    Opened opened;
+    opened.window.files().openSample("hull");
+    opened.window.selection().setObjects({opened.scene().objects().begin()->first});
+    opened.wait();
+    const auto find = [&] {
+        for (int row = 0; row < opened.box("edge").count(); ++row)
+            if (opened.box("edge").itemText(row).contains("v start of \"Port aft\""))
+                return row;
+        return -1;
+    };
+    const int row = find();
+    ASSERT_GE(row, 0);
+    opened.box("edge").setCurrentIndex(row);
+    Q_EMIT opened.box("edge").activated(row);
+    opened.wait();
+    ASSERT_TRUE(opened.button("apply").isEnabled()) << opened.details();
+    EXPECT_TRUE(says(opened.details(), "Also changes: ")) << opened.details();
+    EXPECT_TRUE(says(opened.details(), "with \"Port midships\": G2 to G0")) << opened.details();
 }
 
 // Its index names another point then.

@@ -1,6 +1,7 @@
 #include "ui/panels/friend_graph.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <QPainter>
 #include <QPainterPath>
@@ -28,7 +29,7 @@ void FriendGraph::setContent(std::optional<Content> content, const QString& inst
     content_ = std::move(content);
     instead_ = instead;
     const QString unit = content_ && content_->quantity == Quantity::angle ? tr("°") : QString();
-    setAccessibleDescription(content_ ? tr("%1: at most %2%3, the tolerance is %4%3")
+    setAccessibleDescription(content_ ? tr("%1: sampled, at most %2%3 there; the tolerance is %4%3")
                                             .arg(content_->title)
                                             .arg(largest(), 0, 'g', 4)
                                             .arg(unit)
@@ -92,9 +93,11 @@ void FriendGraph::paintEvent(QPaintEvent*)
         return;
     }
     const int line = painter.fontMetrics().height();
-    const double top = 1.2 * std::max(largest(), content_->tolerance);
-    const QString unit = content_->quantity == Quantity::angle ? tr("°") : QString();
-    const QString high = QString::number(top, 'g', 2) + unit;
+    const bool isAngle = content_->quantity == Quantity::angle;
+    const double room = 1.2 * std::max(largest(), content_->tolerance);
+    const double top = isAngle ? std::min(room, 180.0) : room;
+    const QString unit = isAngle ? tr("°") : QString();
+    const QString high = QString::number(top, 'g', std::max(3, 1 + static_cast<int>(std::log10(top)))) + unit;
     const int left = painter.fontMetrics().horizontalAdvance(high) + 12;
     const QRectF area(left, line + 8, width() - left - 8, height() - 2 * line - 14);
     painter.drawText(QRectF(8, 2, width() - 16, line),

@@ -180,11 +180,13 @@ void FriendsPanel::showSummary()
          {Continuity::g2, Continuity::g1, Continuity::g0, Continuity::none, Continuity::undetermined})
         if (const int count = counts[static_cast<size_t>(continuity)]; count > 0)
             parts << tr("%L1 %2").arg(count).arg(QString::fromLatin1(continuityName(continuity)));
-    if (naked > 0)
-        parts << tr("%L1 naked").arg(naked);
     const int all = table_->rowCount() - naked;
-    summary_->setText(tr("%1: %2").arg(all == 1 ? tr("1 edge meets another") : tr("%L1 edges meet").arg(all),
-                                       parts.isEmpty() ? tr("nothing to list") : parts.join(", ")));
+    QString text = all == 1 ? tr("1 edge meets another") : tr("%L1 edges meet").arg(all);
+    if (all > 0)
+        text = tr("%1: %2").arg(text, parts.join(", "));
+    if (naked > 0)
+        text = tr("%1; %L2 naked").arg(text).arg(naked);
+    summary_->setText(text);
 }
 
 void FriendsPanel::showGraph()
@@ -192,7 +194,7 @@ void FriendsPanel::showGraph()
     const auto number = shown_.chosen();
     const SceneFriends& now = shown_.friends().friends();
     if (!number || *number >= now.edges().size()) {
-        graph_->setContent({}, number ? tr("Nobody runs along this edge.")
+        graph_->setContent({}, number ? tr("This edge is naked: no other edge runs along it.")
                                       : tr("Select an edge in the table to see how it fares along its way."));
         return;
     }

@@ -29,7 +29,7 @@ public:
     // Chooses an edge, by its number in the table, and goes to where it is worst.
     void goTo(size_t number);
 
-    [[nodiscard]] QSize sizeHint() const override { return {460, 420}; }
+    [[nodiscard]] QSize sizeHint() const override { return {500, 420}; }
 
 protected:
     void showEvent(QShowEvent* event) override;

@@ -7,12 +7,31 @@
 #include <QLineEdit>
 #include <QPixmap>
 #include <QStackedWidget>
+#include <QStyledItemDelegate>
 #include <QTableView>
 
 #include "ui/panels/friends_panel.h"
 #include "ui/viewport/friend_lines.h"
 
 namespace knotspan {
+
+namespace {
+
+// Names keep their beginning, the side, and their end, which tells "Face 27" from "Face 28"; numbers keep
+// their beginning.
+class EdgeDelegate : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+protected:
+    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override
+    {
+        QStyledItemDelegate::initStyleOption(option, index);
+        option->textElideMode = index.column() < FriendsTable::verdict ? Qt::ElideMiddle : Qt::ElideRight;
+    }
+};
+
+}  // namespace
 
 QWidget* FriendsPanel::makeFilter()
 {
@@ -117,12 +136,12 @@ QWidget* FriendsPanel::makeTable()
     header.setHighlightSections(false);
     const int digit = fontMetrics().horizontalAdvance('0');
     for (const auto& [column, digits] :
-         {std::pair(FriendsTable::verdict, 10), std::pair(FriendsTable::gap, 9),
-          std::pair(FriendsTable::angle, 8), std::pair(FriendsTable::curvature, 9)})
+         {std::pair(FriendsTable::verdict, 9), std::pair(FriendsTable::gap, 8),
+          std::pair(FriendsTable::angle, 7), std::pair(FriendsTable::curvature, 8)})
         header.resizeSection(column, digits * digit);
     header.setSectionResizeMode(FriendsTable::edgeA, QHeaderView::Stretch);
     header.setSectionResizeMode(FriendsTable::edgeB, QHeaderView::Stretch);
-    view_->setTextElideMode(Qt::ElideMiddle);  // the side is at the end
+    view_->setItemDelegate(new EdgeDelegate(view_));
     connect(view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &FriendsPanel::choose);
     const auto go = [this](const QModelIndex& index) { goTo(numberOf(index)); };
     connect(view_, &QTableView::clicked, this, go);
@@ -144,7 +163,8 @@ QWidget* FriendsPanel::makeLegend()
     const auto add = [&](const QString& text, std::uint32_t colour) {
         entries << QString("<span style='color:%1'>&#9632;</span>&nbsp;%2").arg(QColor(colour).name(), text);
     };
-    add(tr("none, naked"), nakedColour());
+    add(tr("naked"), nakedColour());
+    add(tr("none"), verdictColour(Continuity::none));
     add("G0", verdictColour(Continuity::g0));
     add("G1", verdictColour(Continuity::g1));
     add("G2", verdictColour(Continuity::g2));

@@ -1,6 +1,9 @@
 #include "ui/panels/friends_table.h"
 
+#include <cmath>
+
 #include <QColor>
+#include <QLocale>
 
 #include "ui/viewport/friend_lines.h"
 
@@ -8,14 +11,42 @@ namespace knotspan {
 
 namespace {
 
-QString edgeName(const SceneFriends& friends, const EdgePart& part)
+constexpr double kNoLength = 1e-9;
+constexpr double kNoAngle = 1e-7;  // degrees
+constexpr double kNoCurvature = 1e-9;
+
+QString objectName(const SceneFriends& friends, const EdgePart& part)
 {
     const std::string& given = friends.object(part.surface)->name;
-    const QString name =
-        given.empty()
-            ? FriendsTable::tr("Surface %1").arg(static_cast<std::uint32_t>(friends.objects()[part.surface]))
-            : QString::fromStdString(given);
-    return QString("%1, %2").arg(name, QString::fromLatin1(sideName(part.side)));
+    return given.empty() ? FriendsTable::tr("Surface %1")
+                               .arg(static_cast<std::uint32_t>(friends.objects()[part.surface]))
+                         : QString::fromStdString(given);
+}
+
+FriendsTable::Row rowOf(const SceneFriends& friends, const EdgePart& a, const FriendEdge* edge)
+{
+    FriendsTable::Row row;
+    row.a = a;
+    const auto name = [&](const EdgePart& part, QString& shown, QString& order) {
+        const QString object = objectName(friends, part);
+        const QString side = QString::fromStdString(edgeName(part));
+        shown = QString("%1, %2").arg(side, object);
+        order = QString("%1, %2").arg(object, side);
+    };
+    name(a, row.nameA, row.orderA);
+    if (edge != nullptr) {
+        row.meeting = *edge;
+        name(edge->b, row.nameB, row.orderB);
+    }
+    return row;
+}
+
+// Where nothing is guaranteed, at least what was met.
+QString angleText(const FriendEdge& edge)
+{
+    if (edge.angleBoundDeg < 180)
+        return QString("%1°").arg(friendFigure(edge.angleBoundDeg, kNoAngle));
+    return QString(edge.angleMaxDeg < 180 ? "≥ %1°" : "%1°").arg(friendFigure(edge.angleMaxDeg, kNoAngle));
 }
 
 // What a column is sorted by; verdicts from the worst on.
@@ -26,7 +57,7 @@ double orderOf(const FriendsTable::Row& row, int column)
     const FriendEdge& edge = *row.meeting;
     switch (column) {
     case FriendsTable::verdict:
-        return static_cast<double>(edge.continuity);
+        return smoothnessRank(edge.continuity);
     case FriendsTable::gap:
         return edge.gapMax;
     case FriendsTable::angle:
@@ -37,6 +68,15 @@ double orderOf(const FriendsTable::Row& row, int column)
 }
 
 }  // namespace
+
+QString friendFigure(double value, double noise)
+{
+    if (std::abs(value) < noise)
+        return "0";
+    if (std::abs(value) >= 1e-3)
+        return QString::number(value, 'g', 3);
+    return QString::number(value, 'e', 2).replace("e-0", "e-");  // shorter than 0.000123
+}
 
 FriendsTable::FriendsTable(DocumentFriends& friends, QObject* parent)
     : QAbstractTableModel(parent),
@@ -54,9 +94,9 @@ void FriendsTable::takeOver()
     std::vector<Row> rows;
     rows.reserve(now.edges().size() + now.nakedEdges().size());
     for (const FriendEdge& edge : now.edges())
-        rows.push_back({edge, edge.a, edgeName(now, edge.a), edgeName(now, edge.b)});
+        rows.push_back(rowOf(now, edge.a, &edge));
     for (const EdgePart& part : now.nakedEdges())
-        rows.push_back({{}, part, edgeName(now, part), {}});
+        rows.push_back(rowOf(now, part, nullptr));
     if (rows.size() != rows_.size()) {
         beginResetModel();
         rows_ = std::move(rows);
@@ -100,12 +140,12 @@ QString FriendsTable::text(const Row& row, int column) const
     case verdict:
         return QString::fromLatin1(continuityName(edge.continuity));
     case gap:
-        return QString::number(edge.gapMax, 'g', 3);
+        return friendFigure(edge.gapMax, kNoLength);
     case angle:
-        return edge.angleBoundDeg >= 180 ? tr("-") : QString("%1°").arg(edge.angleBoundDeg, 0, 'g', 3);
+        return angleText(edge);
     default:
         return edge.continuity == Continuity::g1 || edge.continuity == Continuity::g2
-                   ? QString::number(edge.curvatureMax, 'g', 3)
+                   ? friendFigure(edge.curvatureMax, kNoCurvature)
                    : tr("-");
     }
 }
@@ -118,9 +158,8 @@ QString FriendsTable::toolTip(const Row& row) const
     return tr("%1 and %2: %3. Gap at most %4, angle at most %5° (%6° is reached). Click to go to the worst "
               "point.")
         .arg(row.nameA, row.nameB, text(row, verdict))
-        .arg(edge.gapMax, 0, 'g', 3)
-        .arg(edge.angleBoundDeg, 0, 'g', 4)
-        .arg(edge.angleMaxDeg, 0, 'g', 4);
+        .arg(friendFigure(edge.gapMax, kNoLength), friendFigure(edge.angleBoundDeg, kNoAngle),
+             friendFigure(edge.angleMaxDeg, kNoAngle));
 }
 
 QVariant FriendsTable::data(const QModelIndex& index, int role) const
@@ -150,7 +189,7 @@ QVariant FriendsTable::headerData(int section, Qt::Orientation orientation, int 
         return {};
     const QString titles[] = {tr("Edge"), tr("Meets"), tr("Verdict"),
                               tr("Gap"),  tr("Angle"), tr("Curvature")};
-    const QString tips[] = {tr("A surface and one of its sides"),
+    const QString tips[] = {tr("One side of a surface"),
                             tr("The edge that runs along it; none for a naked edge"),
                             tr("How smoothly they meet: none, G0, G1 or G2"),
                             tr("The largest distance, in the model's unit: guaranteed"),
@@ -163,8 +202,11 @@ QVariant FriendsTable::headerData(int section, Qt::Orientation orientation, int 
 
 FriendsFilter::FriendsFilter(FriendsTable& table, QObject* parent)
     : QSortFilterProxyModel(parent),
-      table_(table)
+      table_(table),
+      // The locale C knows no numbers in names.
+      order_(QLocale().language() == QLocale::C ? QLocale(QLocale::English) : QLocale())
 {
+    order_.setNumericMode(true);
     setSourceModel(&table);
     setDynamicSortFilter(true);
 }
@@ -194,8 +236,8 @@ bool FriendsFilter::filterAcceptsRow(int number, const QModelIndex&) const
         (what_ == Show::g2 && is(Continuity::g2)) ||
         (what_ == Show::undetermined && is(Continuity::undetermined));
     const auto says = [&](const QString& text) { return text.contains(text_, Qt::CaseInsensitive); };
-    return wanted &&
-           (text_.isEmpty() || says(row.nameA) || says(row.nameB) || says(table_.verdictText(number)));
+    return wanted && (text_.isEmpty() || says(row.nameA) || says(row.nameB) || says(row.orderA) ||
+                      says(row.orderB) || says(table_.verdictText(number)));
 }
 
 bool FriendsFilter::lessThan(const QModelIndex& left, const QModelIndex& right) const
@@ -204,7 +246,7 @@ bool FriendsFilter::lessThan(const QModelIndex& left, const QModelIndex& right) 
     const FriendsTable::Row& b = table_.row(right.row());
     if (left.column() == FriendsTable::edgeA || left.column() == FriendsTable::edgeB) {
         const bool first = left.column() == FriendsTable::edgeA;
-        return QString::compare(first ? a.nameA : a.nameB, first ? b.nameA : b.nameB) < 0;
+        return order_.compare(first ? a.orderA : a.orderB, first ? b.orderA : b.orderB) < 0;
     }
     return orderOf(a, left.column()) < orderOf(b, left.column());
 }

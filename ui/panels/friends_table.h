@@ -3,11 +3,15 @@
 #pragma once
 
 #include <QAbstractTableModel>
+#include <QCollator>
 #include <QSortFilterProxyModel>
 
 #include "model/document/document_friends.h"
 
 namespace knotspan {
+
+// For people: three digits, and 0 for what is nothing but rounding.
+[[nodiscard]] QString friendFigure(double value, double noise);
 
 class FriendsTable : public QAbstractTableModel {
     Q_OBJECT
@@ -23,8 +27,10 @@ public:
     struct Row {
         std::optional<FriendEdge> meeting;  // none: naked
         EdgePart a;
-        QString nameA;
+        QString nameA;  // "u start, Face 28": the side first
         QString nameB;
+        QString orderA;  // the same, the object first: what is sorted by
+        QString orderB;
         [[nodiscard]] bool operator==(const Row&) const = default;
         [[nodiscard]] bool isProblem() const { return meeting && !meeting->areFriends(); }
     };
@@ -64,6 +70,7 @@ private:
     FriendsTable& table_;
     Show what_ = Show::all;
     QString text_;
+    QCollator order_;  // of names: "Tube 2" before "Tube 10"
 };
 
 }  // namespace knotspan

@@ -11,6 +11,11 @@ namespace {
 // A hand that only clicks trembles less than this.
 constexpr double kStillPx = 3;
 
+bool hasControlPoint(const SceneObject& object, ControlPointIndex index)
+{
+    return index.i < object.surface.countU() && index.j < object.surface.countV();
+}
+
 }  // namespace
 
 void MoveControlPoint::hover(const ToolContext& context, const ToolPointer& pointer)
@@ -21,8 +26,11 @@ void MoveControlPoint::hover(const ToolContext& context, const ToolPointer& poin
 ToolAnswer MoveControlPoint::press(const ToolContext& context, const ToolPointer& pointer)
 {
     const std::optional<PickedControlPoint> point = context.pick(pointer.position).controlPoint;
-    const SharedObject object = point ? context.document.scene().find(point->object) : nullptr;
-    if (!object)
+    if (!point)
+        return ToolAnswer::pass;
+    context.document.endPreview();
+    const SharedObject object = context.document.scene().find(point->object);
+    if (!object || !hasControlPoint(*object, point->index))
         return ToolAnswer::pass;
     context.selection.setControlPoint(point, object.get());
     context.hint({});

@@ -8,6 +8,7 @@ constexpr std::uint32_t kVermilion = 0xd55e00;
 constexpr std::uint32_t kOrange = 0xe69f00;
 constexpr std::uint32_t kSkyBlue = 0x56b4e9;
 constexpr std::uint32_t kBluishGreen = 0x009e73;
+constexpr std::uint32_t kReddishPurple = 0xcc79a7;
 constexpr std::uint32_t kGrey = 0xa0a0a0;
 constexpr std::uint32_t kChosen = 0xffffff;  // around the verdict's colour
 constexpr double kWidthPx = 3;
@@ -16,7 +17,7 @@ constexpr double kAroundPx = 9;
 
 EdgeLine lineOf(const SceneFriends& friends, const EdgePart& part, std::uint32_t colour, double widthPx)
 {
-    return {friends.objects()[part.surface], part.side, part.from, part.to, colour, widthPx};
+    return {friends.objects()[part.surface], part, colour, widthPx};
 }
 
 void addLines(const SceneFriends& friends, size_t number, double widthPx, std::optional<std::uint32_t> colour,
@@ -56,7 +57,7 @@ std::uint32_t verdictColour(Continuity continuity)
 
 std::uint32_t nakedColour()
 {
-    return kVermilion;
+    return kReddishPurple;
 }
 
 std::vector<EdgeLine> friendLines(const SceneFriends& friends)

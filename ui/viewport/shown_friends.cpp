@@ -22,8 +22,8 @@ void ShownFriends::showLines(bool shown)
 
 void ShownFriends::choose(std::optional<size_t> number)
 {
-    if (number == chosen())
-        return;
+    if (number == chosen() && number.has_value() == name_.has_value())
+        return;  // what is chosen may not be found just now
     name_ = number ? std::optional(nameOf(*number)) : std::nullopt;
     number_ = number;
     linesAt_ = -1;
@@ -37,17 +37,41 @@ std::optional<size_t> ShownFriends::chosen()
     return number_;
 }
 
+std::vector<ObjectId> ShownFriends::objects() const
+{
+    std::vector<ObjectId> having;
+    if (name_)
+        having.push_back(name_->a.object);
+    if (name_ && name_->b)
+        having.push_back(name_->b->object);
+    return having;
+}
+
 ShownFriends::Name ShownFriends::nameOf(size_t number) const
 {
     const SceneFriends& now = friends_.friends();
     const bool naked = number >= now.edges().size();
     const EdgePart& a = naked ? now.nakedEdges()[number - now.edges().size()] : now.edges()[number].a;
-    Name name{now.objects()[a.surface], a.side, {}, (a.from + a.to) / 2};
-    if (!naked) {
-        const EdgePart& b = now.edges()[number].b;
-        name.b = {now.objects()[b.surface], b.side};
-    }
+    const auto place = [&now](const EdgePart& edge) {
+        return Name::Place{now.objects()[edge.surface], edge};
+    };
+    Name name{place(a), {}};
+    if (!naked)
+        name.b = place(now.edges()[number].b);
     return name;
+}
+
+bool ShownFriends::Name::Place::isOnSameEdge(const Place& other) const
+{
+    EdgePart same = edge;
+    same.surface = other.edge.surface;
+    return object == other.object && same.isOnSameEdge(other.edge);
+}
+
+bool ShownFriends::Name::isOnSameEdges(const Name& other) const
+{
+    return a.isOnSameEdge(other.a) && b.has_value() == other.b.has_value() &&
+           (!b || b->isOnSameEdge(*other.b));
 }
 
 // The edge of that name now: of several parts the nearest one.
@@ -62,9 +86,8 @@ void ShownFriends::find()
     double nearest = 0;
     for (size_t k = 0; k < now.edges().size() + now.nakedEdges().size(); ++k) {
         const Name name = nameOf(k);
-        const double apart = std::abs(name.middle - name_->middle);
-        if (name.a == name_->a && name.sideA == name_->sideA && name.b == name_->b &&
-            (!number_ || apart < nearest)) {
+        const double apart = std::abs(name.middle() - name_->middle());
+        if (name.isOnSameEdges(*name_) && (!number_ || apart < nearest)) {
             number_ = k;
             nearest = apart;
         }

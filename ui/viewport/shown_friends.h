@@ -24,6 +24,8 @@ public:
     // By number: edges() are counted first, then nakedEdges().
     void choose(std::optional<size_t> number);
     [[nodiscard]] std::optional<size_t> chosen();
+    // Those that have the chosen edge; none where none is chosen.
+    [[nodiscard]] std::vector<ObjectId> objects() const;
 
     // What the next picture has to show; where that is nothing, nothing is computed.
     [[nodiscard]] const std::vector<EdgeLine>& lines();
@@ -32,12 +34,18 @@ Q_SIGNALS:
     void changed();  // lines() or chosen()
 
 private:
-    // Names an edge through all changes: its sides, and where on the first it lies.
+    // Names an edge through all changes: what it lies on, and where on the first of that. The numbers of
+    // surfaces in them do not count.
     struct Name {
-        ObjectId a{};
-        Side sideA{};
-        std::optional<std::pair<ObjectId, Side>> b;  // none: a naked edge
-        double middle = 0;
+        struct Place {
+            ObjectId object{};
+            EdgePart edge;
+            [[nodiscard]] bool isOnSameEdge(const Place& other) const;
+        };
+        Place a;
+        std::optional<Place> b;  // none: a naked edge
+        [[nodiscard]] bool isOnSameEdges(const Name& other) const;
+        [[nodiscard]] double middle() const { return (a.edge.from + a.edge.to) / 2; }
     };
     [[nodiscard]] Name nameOf(size_t number) const;
     void find();

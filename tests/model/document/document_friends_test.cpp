@@ -1,6 +1,7 @@
 #include "model/document/document_friends.h"
 
-#include <chrono>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <STEPControl_Writer.hxx>
 
 #include <gtest/gtest.h>
 
@@ -10,6 +11,13 @@
 
 namespace knotspan {
 namespace {
+
+void writeBox(const std::filesystem::path& path)
+{
+    STEPControl_Writer writer;
+    writer.Transfer(BRepPrimAPI_MakeBox(1, 2, 3).Shape(), STEPControl_AsIs);
+    ASSERT_EQ(writer.Write(path.c_str()), IFSelect_RetDone);
+}
 
 // Moves the middle control point of an object's border u = start.
 Edit pulled(const Document& document, double by)
@@ -88,6 +96,27 @@ TEST(DocumentFriends, FollowADragAndItsUndo)
     document.finishGesture(gesture);
     document.undo();
     EXPECT_EQ(friends.friends().edges(), before);
+}
+
+// A tolerance that was set for one model says nothing of the next one.
+TEST(DocumentFriends, AnotherModelHasItsDefaultTolerances)
+{
+    const testing::TemporaryFolder folder;
+    Document document;
+    DocumentFriends friends(document);
+    document.reset(findSample("hull")->make(), "hull");
+    EXPECT_EQ(friends.tolerances(), defaultTolerances(false));
+    friends.setTolerances({0.5, 20, 0.1});
+    document.apply(pulled(document, 0.1), "pull");
+    EXPECT_EQ(friends.tolerances().angleDeg, 20);
+    ASSERT_TRUE(document.saveAs(folder / "hull.knotspan"));
+    EXPECT_EQ(friends.tolerances().angleDeg, 20);
+    writeBox(folder / "box.step");
+    ASSERT_TRUE(document.open(folder / "box.step"));
+    EXPECT_EQ(friends.tolerances(), defaultTolerances(true));
+    EXPECT_NE(defaultTolerances(true), defaultTolerances(false));
+    ASSERT_TRUE(document.open(folder / "hull.knotspan"));
+    EXPECT_EQ(friends.tolerances(), defaultTolerances(false));
 }
 
 TEST(DocumentFriends, OtherTolerancesGiveOtherVerdicts)

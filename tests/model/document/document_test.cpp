@@ -128,6 +128,61 @@ TEST(Document, ACancelledGestureInAnUnchangedModelLeavesItUnmodified)
     EXPECT_FALSE(document.canRedo());
 }
 
+TEST(Document, APreviewIsInNoFileAndNoStep)
+{
+    const testing::TemporaryFolder folder;
+    Document document;
+    document.reset(sample("nine-16"), "nine");
+    document.apply(moveTo(document, 0.1), "move");
+    const Scene before = document.scene();
+    const int gesture = document.preview(moveTo(document, 0.7), "show");
+    const Scene shown = document.scene();
+    EXPECT_FALSE(shown == before);
+    EXPECT_EQ(document.undoText(), "move");
+    ASSERT_TRUE(document.saveAs(folder / "saved.knotspan"));
+    EXPECT_TRUE(document.scene() == shown);  // it goes on
+    EXPECT_TRUE(document.isPreviewing());
+    EXPECT_FALSE(document.isModified());
+    Document again;
+    ASSERT_TRUE(again.open(folder / "saved.knotspan"));
+    EXPECT_TRUE(again.scene() == before);
+    document.finishGesture(gesture);
+    EXPECT_TRUE(document.isModified());
+    EXPECT_TRUE(document.scene() == shown);
+    EXPECT_EQ(document.undoStack().count(), 2);
+    document.undo();
+    EXPECT_TRUE(document.scene() == before);
+}
+
+TEST(Document, WhateverElseIsDoneTakesAPreviewBack)
+{
+    Document document;
+    document.reset(sample("nine-16"), "nine");
+    const Scene before = document.scene();
+    const ObjectId last = before.objects().rbegin()->first;
+    Edit removal;
+    removal.set(last, nullptr);
+    EXPECT_NE(document.preview(moveTo(document, 0.7), "show"), 0);
+    document.apply(removal, "remove");
+    EXPECT_EQ(document.undoStack().count(), 1);
+    EXPECT_EQ(document.scene().find(firstId(document)), before.find(firstId(document)));
+    EXPECT_NE(document.preview(moveTo(document, 0.7), "show"), 0);
+    document.undo();
+    EXPECT_TRUE(document.scene() == before);
+    EXPECT_NE(document.preview(moveTo(document, 0.7), "show"), 0);
+    EXPECT_TRUE(document.canRedo());
+    document.redo();
+    EXPECT_EQ(document.scene().find(last), nullptr);
+    EXPECT_EQ(document.scene().find(firstId(document)), before.find(firstId(document)));
+    EXPECT_NE(document.preview(moveTo(document, 0.7), "show"), 0);
+    document.apply(moveTo(document, 0.9), "drag", document.newGesture());
+    EXPECT_FALSE(document.isPreviewing());
+    EXPECT_EQ(firstX(document), 0.9);
+    document.undo();
+    EXPECT_EQ(document.scene().find(firstId(document)), before.find(firstId(document)));
+    EXPECT_EQ(document.preview(Edit(), "nothing"), 0);
+}
+
 TEST(Document, SavingAndOpeningReturnsEveryBit)
 {
     const testing::TemporaryFolder folder;

@@ -45,6 +45,24 @@ TEST(ObjectList, HidingAndRenamingAreStepsThatCanBeUndone)
     EXPECT_EQ(list.data(row, Qt::CheckStateRole).toInt(), static_cast<int>(Qt::Checked));
 }
 
+TEST(ObjectList, RenamingDuringAPreviewKeepsNothingOfIt)
+{
+    Document document;
+    document.reset(findSample("nine-16")->make(), "nine");
+    ObjectList list(document);
+    const ObjectId id = list.idAt(2);
+    const SharedObject before = document.scene().find(id);
+    auto shown = std::make_shared<SceneObject>(*before);
+    shown->surface = document.scene().find(list.idAt(3))->surface;
+    Edit edit;
+    edit.set(id, shown);
+    EXPECT_NE(document.preview(edit, "show"), 0);
+    EXPECT_TRUE(list.setData(list.index(2), "keel", Qt::EditRole));
+    EXPECT_EQ(document.scene().find(id)->name, "keel");
+    EXPECT_EQ(document.scene().find(id)->surface, before->surface);
+    EXPECT_EQ(document.undoStack().count(), 1);
+}
+
 TEST(ObjectList, AChangedObjectChangesItsRowAlone)
 {
     Document document;

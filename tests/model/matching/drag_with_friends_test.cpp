@@ -8,6 +8,7 @@
 
 #include "model/friends/scene_friends.h"
 #include "model/geometry/knot_insertion.h"
+#include "model/samples/net.h"
 #include "model/samples/samples.h"
 
 namespace knotspan {
@@ -132,6 +133,23 @@ TEST(DragWithFriends, PullsInTheSpaceOfTheModel)
     ASSERT_EQ(friends.edges().size(), before.size());
     for (size_t k = 0; k < before.size(); ++k)
         EXPECT_EQ(friends.edges()[k].areFriends(), before[k].areFriends()) << k;
+}
+
+// Control points of two sheets that are 0.002 apart along their edge are within one gap tolerance, not within
+// another.
+TEST(DragWithFriends, TakesTheGapThatItWasToldForRowsThatGoWithEachOther)
+{
+    const KnotVector knots = KnotVector::clampedUniform(2, 1);
+    Scene scene;
+    for (const double way : {-1.0, 1.0})
+        scene.exchange(ObjectId{way < 0 ? 1U : 2U},
+                       std::make_shared<SceneObject>(namedObject(
+                           "Sheet", {}, surfaceOf(knots, knots, [&](int i, int j) -> ControlPoint {
+                               return {{way * i, 5 * j + (way > 0 && j == 1 ? 0.002 : 0), 0}, 1};
+                           }))));
+    const ObjectPull pull = pulledBy(scene, ObjectId{1}, {0, 1}, {0, 0, 2});
+    EXPECT_TRUE(DragWithFriends(scene, {0.01, 0.1, 0.01}).pull({pull}));
+    EXPECT_FALSE(DragWithFriends(scene, {0.001, 0.1, 0.01}).pull({pull}));
 }
 
 TEST(DragWithFriends, RefusesPlacesThatAreNoNumbers)

@@ -73,6 +73,7 @@ TEST(Match, WorksBetweenSurfacesThatArePlaced)
         inModel.b = into(mended.b, placeB);
         const MeasuredFit fit = testing::measuredFit(inModel, 500);
         EXPECT_LE(fit.angleDeg, 0.01);
+        EXPECT_TRUE(fit.runsOn);
         EXPECT_LE(fit.gap, 1e-12);
         EXPECT_NEAR(fit.angleDeg, proposal->angleDeg, 0.3 * proposal->angleDeg);
     }
@@ -137,12 +138,86 @@ TEST(Match, MeetsAPartOfALongerEdgeButDoesNotMoveThatOne)
     ASSERT_TRUE(proposal) << proposal.error().sentence();
     const MeasuredFit fit = testing::measuredFit(applied(pair, *proposal), 500);
     EXPECT_LE(fit.angleDeg, 0.01);
+    EXPECT_TRUE(fit.runsOn);
     EXPECT_LE(fit.gap, 1e-12);
     for (const MatchSides move : {MatchSides::a, MatchSides::both}) {
         const auto refused = matchEdge(pair.request(Continuity::g1, move));
         ASSERT_FALSE(refused);
         EXPECT_NE(refused.error().sentence().find("Only a part of the edge"), std::string::npos);
     }
+}
+
+// b's edge is longer than a's by half the gap tolerance, so Friends leaves its end out.
+TEST(Match, MovesWholeEdgesWhoseCornersMissEachOtherByLessThanTheGap)
+{
+    const KnotVector line = KnotVector::clampedUniform(1, 1);
+    const auto sheet = [&](double width, double length, double rise) {
+        return NurbsSurface::create(
+                   line, line,
+                   {{{0, 0, 0}, 1}, {{0, length, 0}, 1}, {{width, 0, rise}, 1}, {{width, length, rise}, 1}})
+            .value();
+    };
+    for (const double scale : {1.0, 1000.0}) {
+        const NurbsSurface a = sheet(-scale, 10 * scale, 0);
+        const NurbsSurface b = sheet(scale, 10 * scale + 0.0005, 0.2 * scale);
+        const Friends friends({{&a}, {&b}});
+        ASSERT_EQ(friends.edges().size(), 1u);
+        const FriendEdge& edge = friends.edges()[0];
+        ASSERT_LT(edge.b.to, 1);
+        const BrokenPair pair{a, b, edge.a, edge.b, edge.reversed};
+        for (const MatchSides move : {MatchSides::a, MatchSides::b, MatchSides::both}) {
+            const auto proposal = matchEdge(pair.request(Continuity::g1, move));
+            ASSERT_TRUE(proposal) << proposal.error().sentence();
+            const BrokenPair mended = applied(pair, *proposal);
+            const Friends after({{&mended.a}, {&mended.b}}, {1e-3, 0.01, 0.01});
+            ASSERT_EQ(after.edges().size(), 1u);
+            EXPECT_TRUE(after.edges()[0].areFriends());
+            EXPECT_EQ(after.edges()[0].b.to, 1);
+        }
+    }
+    // What is left out is longer than the gap.
+    const NurbsSurface a = sheet(-1, 10, 0);
+    const NurbsSurface b = sheet(1, 10.002, 0.2);
+    const Friends friends({{&a}, {&b}});
+    ASSERT_EQ(friends.edges().size(), 1u);
+    const BrokenPair pair{a, b, friends.edges()[0].a, friends.edges()[0].b, false};
+    const auto refused = matchEdge(pair.request(Continuity::g1, MatchSides::b));
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().sentence().find("Only a part of the edge"), std::string::npos);
+}
+
+// Two flat sheets that meet at the given angle, 0 where they run on.
+BrokenPair hinge(double angleDeg)
+{
+    const KnotVector line = KnotVector::clampedUniform(1, 1);
+    const double angle = angleDeg * 3.14159265358979 / 180;
+    const Vec3 away{3 * std::cos(angle), 0, 3 * std::sin(angle)};
+    const Vec3 end{0, 4, 0};
+    return {
+        NurbsSurface::create(line, line, {{Vec3(-3, 0, 0), 1}, {Vec3(-3, 4, 0), 1}, {Vec3(0), 1}, {end, 1}})
+            .value(),
+        NurbsSurface::create(line, line, {{Vec3(0), 1}, {end, 1}, {away, 1}, {away + end, 1}}).value(),
+        {0, Side::endU, 0, 1},
+        {1, Side::startU, 0, 1},
+        false};
+}
+
+TEST(Match, SaysAtWhichAngleSurfacesMeetThatItDoesNotMatch)
+{
+    for (const double angle : {89.0, -89.0}) {
+        const BrokenPair pair = hinge(angle);
+        const auto proposal = matchEdge(pair.request(Continuity::g1, MatchSides::b));
+        ASSERT_TRUE(proposal) << proposal.error().sentence();
+        const MeasuredFit fit = testing::measuredFit(applied(pair, *proposal), 100);
+        EXPECT_LE(fit.angleDeg, 0.01);
+        EXPECT_TRUE(fit.runsOn);
+    }
+    const auto proposal = matchEdge(hinge(95.8).request(Continuity::g1, MatchSides::b));
+    ASSERT_FALSE(proposal);
+    EXPECT_NE(proposal.error().sentence().find("meet at 95.8 degrees"), std::string::npos)
+        << proposal.error().sentence();
+    EXPECT_NE(proposal.error().sentence().find("only those that meet at less than 90 are matched"),
+              std::string::npos);
 }
 
 TEST(Match, RefusesSurfacesThatFoldBackAndPoles)

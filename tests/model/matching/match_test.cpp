@@ -59,6 +59,7 @@ TEST(Match, MakesCurvaturesAgree)
         ASSERT_TRUE(proposal) << proposal.error().sentence();
         const MeasuredFit fit = testing::measuredFit(applied(pair, *proposal), 1000);
         EXPECT_LE(fit.angleDeg, 0.01);
+        EXPECT_TRUE(fit.runsOn);
         EXPECT_LE(fit.curvature, 0.01);
         EXPECT_LE(fit.gap, 1e-12);
         if (proposal->b) {
