@@ -5,6 +5,7 @@
 #include "ui/action_rows.h"
 #include "ui/match_dialog.h"
 #include "ui/panels/friends_panel.h"
+#include "ui/refine_dialog.h"
 
 namespace knotspan {
 
@@ -102,6 +103,12 @@ void matchEdge(Window& window)
         dialog.offerEdges();
 }
 
+void refineSurface(Window& window)
+{
+    broughtUp<RefineDialog>(window,
+                            [&] { return new RefineDialog(window.document(), window.selection(), &window); });
+}
+
 }  // namespace
 
 const std::vector<ActionInfo>& editActions()
@@ -152,6 +159,13 @@ const std::vector<ActionInfo>& editActions()
          .shortcuts = {QKeySequence("M")},
          .tip = TEXT("Make surfaces meet smoothly along an edge, and see first how far they move for it"),
          .run = [](Window& w, bool) { matchEdge(w); }},
+        {.id = "edit.refine",
+         .text = TEXT("&Refine surface…"),
+         .shortcuts = {QKeySequence("R")},
+         .tip =
+             TEXT("Knots, degrees, a rebuilt net or a cut for the selected surface, and see first how far it "
+                  "moves for it"),
+         .run = [](Window& w, bool) { refineSurface(w); }},
     };
     return kList;
 }

@@ -1,66 +1,17 @@
 #include "model/geometry/primitives.h"
 
-#include <array>
-#include <cmath>
-
 #include "model/core/check.h"
+#include "model/geometry/arcs.h"
 
 namespace knotspan {
 
 namespace {
 
-struct ArcPoint {
-    double x;
-    double y;
-    double weight;
-};
-
-// The control points of the unit circle from angle 0 on. The NURBS Book, 7.5: the middle point of an arc
-// stands where its end tangents meet and weighs the cosine of half the arc's angle. Mirror images are equal
-// to the bit.
-const std::array<ArcPoint, 17>& circle()
-{
-    static const std::array<ArcPoint, 17> points = [] {
-        const double t = std::sqrt(2.0) - 1;  // tan 22.5 degrees
-        const double c = 1 / std::sqrt(1 + t * t);
-        const double h = std::sqrt(0.5);
-        return std::array<ArcPoint, 17>{{{1, 0, 1},
-                                         {1, t, c},
-                                         {h, h, 1},
-                                         {t, 1, c},
-                                         {0, 1, 1},
-                                         {-t, 1, c},
-                                         {-h, h, 1},
-                                         {-1, t, c},
-                                         {-1, 0, 1},
-                                         {-1, -t, c},
-                                         {-h, -h, 1},
-                                         {-t, -1, c},
-                                         {0, -1, 1},
-                                         {t, -1, c},
-                                         {h, -h, 1},
-                                         {1, -t, c},
-                                         {1, 0, 1}}};
-    }();
-    return points;
-}
-
-KnotVector arcKnots(int arcs)
-{
-    std::vector<double> knots{0, 0, 0};
-    for (int i = 1; i < arcs; ++i)
-        knots.insert(knots.end(), 2, i);
-    knots.insert(knots.end(), 3, arcs);
-    auto result = KnotVector::create(2, std::move(knots));
-    check(result.has_value(), "the knots of arcs are valid");
-    return *std::move(result);
-}
-
 // The profile (distance from the axis, height) turned round the z axis. The NURBS Book, A8.1.
 NurbsSurface turned(const Vec3& centre, const std::vector<ArcPoint>& profile, KnotVector profileKnots)
 {
     std::vector<ControlPoint> points;
-    for (const ArcPoint& around : circle())
+    for (const ArcPoint& around : arcPoints(360))
         for (const ArcPoint& along : profile)
             points.push_back({centre + Vec3(along.x * around.x, along.x * around.y, along.y),
                               around.weight * along.weight});
@@ -74,10 +25,11 @@ NurbsSurface turned(const Vec3& centre, const std::vector<ArcPoint>& profile, Kn
 NurbsSurface sphere(const Vec3& centre, double radius)
 {
     check(radius > 0, "a sphere has a radius");
+    const std::vector<ArcPoint> circle = arcPoints(360);
     std::vector<ArcPoint> profile;
     for (size_t k = 0; k <= 8; ++k) {
         // The half from -90 to 90 degrees: 12 steps of 22.5 degrees after the circle's first point.
-        const ArcPoint& point = circle()[(12 + k) % 16];
+        const ArcPoint& point = circle[(12 + k) % 16];
         profile.push_back({radius * point.x, radius * point.y, point.weight});
     }
     return turned(centre, profile, arcKnots(4));
@@ -87,9 +39,22 @@ NurbsSurface torus(const Vec3& centre, double major, double minor)
 {
     check(minor > 0 && major > minor, "a torus has a hole");
     std::vector<ArcPoint> profile;
-    for (const ArcPoint& point : circle())
+    for (const ArcPoint& point : arcPoints(360))
         profile.push_back({major + minor * point.x, minor * point.y, point.weight});
     return turned(centre, profile, arcKnots(8));
+}
+
+NurbsSurface cylinder(const Vec3& base, double radius, double height)
+{
+    check(radius > 0 && height > 0, "a cylinder has a radius and a height");
+    return turned(base, {{radius, 0, 1}, {radius, height, 1}}, KnotVector::clampedUniform(1, 1));
+}
+
+NurbsSurface cone(const Vec3& base, double radiusBelow, double radiusAbove, double height)
+{
+    check(radiusBelow >= 0 && radiusAbove >= 0 && height >= 0, "a cone's sizes are not negative");
+    check(radiusBelow + radiusAbove > 0 && (height > 0 || radiusBelow != radiusAbove), "a cone has an area");
+    return turned(base, {{radiusBelow, 0, 1}, {radiusAbove, height, 1}}, KnotVector::clampedUniform(1, 1));
 }
 
 NurbsSurface plane(const Vec3& corner, const Vec3& a, const Vec3& b)

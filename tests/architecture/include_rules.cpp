@@ -181,6 +181,8 @@ std::vector<FolderRule> makeRules()
         {.folder = "model/geometry", .mayInclude = geometry},
         {.folder = "model/analysis", .mayInclude = values},
         {.folder = "model/matching", .mayInclude = scene},
+        {.folder = "model/making", .mayInclude = values + Folders{"model/scene"}},
+        {.folder = "model/refining", .mayInclude = values + Folders{"model/scene"}},
         {.folder = "model/friends", .mayInclude = values + Folders{"model/analysis", "model/scene"}},
         {.folder = "model/scene", .mayInclude = values},
         {.folder = "model/samples", .mayInclude = values + Folders{"model/scene"}},
