@@ -185,6 +185,7 @@ std::vector<FolderRule> makeRules()
         {.folder = "model/refining", .mayInclude = values + Folders{"model/scene"}},
         {.folder = "model/friends", .mayInclude = values + Folders{"model/analysis", "model/scene"}},
         {.folder = "model/scene", .mayInclude = values},
+        {.folder = "model/sculpting", .mayInclude = values + Folders{"model/scene"}},
         {.folder = "model/samples", .mayInclude = values + Folders{"model/scene"}},
         {.folder = "model/mesh", .mayInclude = scene, .meshLibraries = true},
         {.folder = "model/formats",
