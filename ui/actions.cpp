@@ -10,8 +10,8 @@ const std::vector<ActionInfo>& actionList()
 {
     static const std::vector<ActionInfo> kList = [] {
         std::vector<ActionInfo> list;
-        for (const auto* part :
-             {&fileActions(), &editActions(), &objectActions(), &viewActions(), &helpActions()})
+        for (const auto* part : {&fileActions(), &editActions(), &pointActions(), &objectActions(),
+                                 &viewActions(), &helpActions()})
             list.insert(list.end(), part->begin(), part->end());
         return list;
     }();
@@ -27,9 +27,11 @@ const std::vector<MouseInfo>& mouseList()
 {
     static const std::vector<MouseInfo> kList = {
         {TEXT("Left click"), TEXT("Select the object under the cursor; on nothing: deselect")},
-        {TEXT("Shift + click, Ctrl + click"), TEXT("Add to the selection; take in or out of it")},
+        {TEXT("Shift + click, Ctrl + click"),
+         TEXT("Add an object or a control point to the selection; take it in or out")},
         {TEXT("Left drag on a control point"),
-         TEXT("Move it in the view plane, and with Keep friends what adjoins it; Escape takes it back")},
+         TEXT("Move it, or all selected ones, as the panel Dragging says; with Shift held by a tenth; Escape "
+              "takes it back")},
         {TEXT("Left drag elsewhere, middle drag, Alt + left drag"), TEXT("Orbit")},
         {TEXT("Right drag, Shift + middle drag"), TEXT("Pan")},
         {TEXT("Wheel, Ctrl + middle drag"), TEXT("Zoom at the cursor")},

@@ -87,11 +87,9 @@ void MainWindow::makePanels()
 
 void MainWindow::makeMenus()
 {
-    const std::vector<std::pair<std::string_view, QString>> titles = {{"file", tr("&File")},
-                                                                      {"edit", tr("&Edit")},
-                                                                      {"object", tr("&Object")},
-                                                                      {"view", tr("&View")},
-                                                                      {"help", tr("&Help")}};
+    const std::vector<std::pair<std::string_view, QString>> titles = {
+        {"file", tr("&File")},     {"edit", tr("&Edit")}, {"points", tr("&Points")},
+        {"object", tr("&Object")}, {"view", tr("&View")}, {"help", tr("&Help")}};
     for (const auto& [menuName, title] : titles) {
         QMenu& menu = *menuBar()->addMenu(title);
         if (menuName == "file")

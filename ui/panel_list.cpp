@@ -5,6 +5,7 @@
 #include "ui/panels/objects_panel.h"
 #include "ui/panels/rendering_panel.h"
 #include "ui/panels/stats_panel.h"
+#include "ui/panels/tool_panel.h"
 
 namespace knotspan {
 
@@ -28,6 +29,11 @@ QWidget* makeRendering(MainWindow& window)
     return new RenderingPanel(window.viewport());
 }
 
+QWidget* makeTool(MainWindow& window)
+{
+    return new ToolPanel(window.document(), window.viewport());
+}
+
 QWidget* makeStats(MainWindow& window)
 {
     auto* panel = new StatsPanel;
@@ -44,6 +50,7 @@ const std::vector<PanelInfo>& panelList()
         {"rendering-dock", TITLE("Rendering"), Qt::RightDockWidgetArea, makeRendering},
         {"friends-dock", TITLE("Friends"), Qt::LeftDockWidgetArea, makeFriends, "Ctrl+F", true,
          "objects-dock"},
+        {"tool-dock", TITLE("Dragging"), Qt::LeftDockWidgetArea, makeTool, "D", true, "friends-dock"},
         {"stats-dock", TITLE("Statistics"), Qt::RightDockWidgetArea, makeStats},
     };
     return kList;

@@ -127,6 +127,11 @@ Result<std::vector<PointMove>> DragWithFriends::follow(const std::vector<ObjectP
     return followed;
 }
 
+Vec3 DragWithFriends::startOf(ObjectId object, ControlPointIndex index) const
+{
+    return controlPointInModel(*start_.find(object), index);
+}
+
 Result<Edit> DragWithFriends::pull(const std::vector<ObjectPull>& pulled)
 {
     const std::set<ObjectId> ids = objectsOf(pulled);

@@ -25,6 +25,9 @@ public:
     DragWithFriends(DragWithFriends&&) noexcept;
     DragWithFriends& operator=(DragWithFriends&&) noexcept;
 
+    // Where a control point of the scene stood when the drag began, in model space.
+    [[nodiscard]] Vec3 startOf(ObjectId object, ControlPointIndex index) const;
+
     // Turns the scene, as the last answer left it, into the one in which these points stand there and the
     // friends follow: what an earlier answer moved and this one does not is back where it started. Fails,
     // with a sentence that names the objects, where an edge cannot follow; the answers before still hold.

@@ -29,6 +29,8 @@ struct Falloff {
     double radius = 0;  // in model units, or steps; 0: only the selected points move
     FalloffShape shape = FalloffShape::smooth;
     FalloffDistance distance = FalloffDistance::space;
+
+    [[nodiscard]] bool operator==(const Falloff&) const = default;
 };
 
 struct Follower {

@@ -15,6 +15,8 @@ using Mat3 = glm::dmat3;
 struct SymmetryPlane {
     Vec3 point{0, 0, 0};
     Vec3 normal{1, 0, 0};
+
+    [[nodiscard]] bool operator==(const SymmetryPlane&) const = default;
 };
 
 [[nodiscard]] Vec3 mirrored(const Vec3& place, const SymmetryPlane& plane);
@@ -33,6 +35,8 @@ struct Symmetry {
     SymmetryPlane plane;
     // How far a partner may stand from the mirror image, in model units; 0: a millionth of the objects' size.
     double tolerance = 0;
+
+    [[nodiscard]] bool operator==(const Symmetry&) const = default;
 };
 
 // A control point that goes along as another one's image: what that one moves by is multiplied by `image`.

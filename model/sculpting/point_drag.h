@@ -29,6 +29,8 @@ struct DragSettings {
     Falloff falloff;
     Symmetry symmetry;
     std::set<ObjectId> others;  // may follow too, by falloff in space or as mirror images
+
+    [[nodiscard]] bool operator==(const DragSettings&) const = default;
 };
 
 class PointDrag {

@@ -132,16 +132,16 @@ TEST(MatchDialog, LetsGoOfAControlPointWhoseNetGetsFiner)
     QTest::keyClick(opened.dialog, Qt::Key_Escape);
     const auto& [id, object] = *opened.start.objects().begin();
     Selection& selection = opened.window.selection();
-    selection.setControlPoint(PickedControlPoint{id, {1, 1}}, object.get());
+    selection.setPoints(pointOf(opened.start, {id, {1, 1}}));
     opened.window.action("edit.matchEdge")->trigger();
     opened.wait();
-    EXPECT_TRUE(selection.controlPoint().has_value());  // of a net that keeps its shape
+    EXPECT_FALSE(selection.points().isEmpty());  // of a net that keeps its shape
     auto finer = std::make_shared<SceneObject>(*object);
     finer->surface = withKnotInserted(finer->surface, Direction::U, 0.5);
     Edit edit;
     edit.set(id, std::move(finer));
     opened.window.document().apply(edit, "Refine");
-    EXPECT_FALSE(selection.controlPoint().has_value());
+    EXPECT_TRUE(selection.points().isEmpty());
     EXPECT_TRUE(selection.contains(id));
 }
 

@@ -116,7 +116,8 @@ TEST(MatchPreview, ADragBeginsWithTheModelAsItIsWithoutThePreview)
     const ObjectId id = opened.dialog->edge()->b;
     EXPECT_NE(opened.scene().find(id), opened.start.find(id));
     opened.window.resize(820, 460);
-    opened.window.selection().setControlPoint(PickedControlPoint{id, {0, 0}});
+    opened.window.selection().setObjects({id});
+    opened.window.selection().setPoints(pointOf(opened.scene(), {id, {0, 0}}));
     settle(opened.window);
     const auto point = visiblePoint(opened.window, id);
     ASSERT_TRUE(point);

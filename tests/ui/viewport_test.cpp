@@ -115,8 +115,8 @@ TEST(Viewport, AClickOnAControlPointSelectsItAndMovesNothing)
     hand.press(point->pixel);
     hand.move(point->pixel + Vec2(1, 1));
     hand.release();
-    ASSERT_TRUE(window->selection().controlPoint().has_value());
-    EXPECT_TRUE(window->selection().controlPoint()->index == point->index);
+    EXPECT_EQ(window->selection().points().size(), 1U);
+    EXPECT_TRUE(window->selection().points().contains({point->object, point->index}));
     EXPECT_FALSE(window->document().isModified());
 }
 

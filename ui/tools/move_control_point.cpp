@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "model/scene/control_point_editing.h"
+#include "model/sculpting/twins.h"
 
 namespace knotspan {
 
@@ -10,10 +11,29 @@ namespace {
 
 // A hand that only clicks trembles less than this.
 constexpr double kStillPx = 3;
+constexpr double kFine = 0.1;
 
-bool hasControlPoint(const SceneObject& object, ControlPointIndex index)
+// Who may follow a drag beside the objects that it has points of.
+std::set<ObjectId> followersIn(const Scene& scene, const DragSettings& settings)
 {
-    return index.i < object.surface.countU() && index.j < object.surface.countV();
+    const bool inSpace = settings.falloff.radius > 0 && settings.falloff.distance == FalloffDistance::space;
+    std::set<ObjectId> others;
+    if (inSpace || settings.symmetry.kind == SymmetryKind::plane)
+        for (const auto& [id, object] : scene.objects())
+            if (object->visible)
+                others.insert(id);
+    return others;
+}
+
+// The point of the axis through a point that is nearest on the picture to where the hand is.
+Result<double> alongAxis(const Camera& camera, const Vec3& axis, const Vec3& inPlane)
+{
+    const Vec2 seen(glm::dot(axis, camera.right()), glm::dot(axis, camera.upward()));
+    constexpr double kLeast = 0.02;
+    if (glm::dot(seen, seen) < kLeast * kLeast)
+        return failure("The axis points at the eye", "Turn the view, or choose another axis");
+    const Vec2 wanted(glm::dot(inPlane, camera.right()), glm::dot(inPlane, camera.upward()));
+    return glm::dot(wanted, seen) / glm::dot(seen, seen);
 }
 
 }  // namespace
@@ -25,60 +45,107 @@ void MoveControlPoint::hover(const ToolContext& context, const ToolPointer& poin
 
 ToolAnswer MoveControlPoint::press(const ToolContext& context, const ToolPointer& pointer)
 {
-    const std::optional<PickedControlPoint> point = context.pick(pointer.position).controlPoint;
-    if (!point)
+    const std::optional<PickedControlPoint> picked = context.pick(pointer.position).controlPoint;
+    if (!picked)
         return ToolAnswer::pass;
     context.document.endPreview();
-    const SharedObject object = context.document.scene().find(point->object);
-    if (!object || !hasControlPoint(*object, point->index))
+    const Scene& scene = context.document.scene();
+    const ScenePoint point{picked->object, picked->index};
+    const PointSelection one = pointOf(scene, point);
+    if (one.isEmpty())
         return ToolAnswer::pass;
-    context.selection.setControlPoint(point, object.get());
+    const bool adds = pointer.modifiers.testFlag(Qt::ShiftModifier);
+    const bool toggles = pointer.modifiers.testFlag(Qt::ControlModifier);
+    PointSelection chosen = context.selection.points();
+    const bool wasChosen = chosen.contains(point);
+    if (toggles)
+        chosen.toggle(one);
+    else if (adds)
+        chosen.add(one);
+    else if (!wasChosen)
+        chosen = one;
+    if (!adds && !toggles && !wasChosen)
+        context.selection.setObjects({point.object});
+    context.selection.setPoints(chosen);
     context.hint({});
+    if (!chosen.contains(point))
+        return ToolAnswer::commit;  // taken out
     drag_ = Drag{};
-    drag_->point = *point;
-    drag_->pressed = pointer.position;
-    drag_->start = controlPointInModel(*object, point->index);
-    drag_->keepsFriends = context.settings.keepFriends;
+    drag_->point = point;
+    drag_->alone = !adds && !toggles;
+    drag_->pressed = drag_->last = pointer.position;
+    drag_->start = controlPointInModel(*scene.find(point.object), point.index);
     return ToolAnswer::keep;
 }
 
-Result<Edit> MoveControlPoint::editTo(const ToolContext& context, const SceneObject& object,
-                                      const Vec3& position)
+Result<void> MoveControlPoint::begin(const ToolContext& context)
 {
-    const PickedControlPoint& point = drag_->point;
-    if (drag_->keepsFriends && !drag_->friends)
-        drag_->friends.emplace(context.document.scene(), context.settings.friends);
-    if (drag_->friends)
-        return drag_->friends->pull({{point.object, point.index, position}});
-    Result<SharedObject> changed = withControlPointAt(object, point.index, position);
-    if (!changed)
-        return tl::unexpected(changed.error());
-    Edit edit;
-    edit.set(point.object, std::move(*changed));
-    return edit;
+    const Scene& scene = context.document.scene();
+    const PointSelection chosen = withTwins(scene, context.selection.points());
+    DragSettings settings = context.settings.drag;
+    settings.others = followersIn(scene, settings);
+    auto points = PointDrag::begin(scene, chosen, settings);
+    if (!points)
+        return tl::unexpected(points.error());
+    drag_->points = *std::move(points);
+    const size_t count = context.selection.points().size();
+    drag_->step = count == 1 ? QObject::tr("Move control point")
+                             : QObject::tr("Move %1 control points").arg(static_cast<qulonglong>(count));
+    if (context.settings.keepFriends)
+        drag_->friends.emplace(scene, context.settings.friends);
+    return {};
+}
+
+Result<Edit> MoveControlPoint::editTo(const ToolContext& context)
+{
+    const Camera& camera = context.camera;
+    const double unit = camera.unitsPerPixel(drag_->start, context.height);
+    Vec3 by = (camera.right() * drag_->way.x - camera.upward() * drag_->way.y) * unit;
+    const Vec3 axis = drag_->points->direction();
+    if (context.settings.drag.axis != DragAxis::free) {
+        const auto distance = alongAxis(camera, axis, by);
+        if (!distance)
+            return tl::unexpected(distance.error());
+        if (!drag_->friends)
+            return drag_->points->movedAlong(*distance);
+        by = *distance * axis;
+    }
+    if (!drag_->friends)
+        return drag_->points->moved(by);
+    std::vector<ObjectPull> pulls;
+    for (const auto& [id, shifts] : drag_->points->shifts(by))
+        for (const PointShift& shift : shifts)
+            pulls.push_back({id, shift.index, drag_->friends->startOf(id, shift.index) + shift.by});
+    return drag_->friends->pull(pulls);
 }
 
 ToolAnswer MoveControlPoint::move(const ToolContext& context, const ToolPointer& pointer)
 {
-    const SharedObject object = context.document.scene().find(drag_->point.object);
-    if (!object)
-        return ToolAnswer::revert;
-    const Vec2 way = pointer.position - drag_->pressed;
-    if (!drag_->moved && glm::length(way) < kStillPx * context.pixelRatio)
+    if (!drag_->moved && glm::length(pointer.position - drag_->pressed) < kStillPx * context.pixelRatio)
         return ToolAnswer::keep;
+    const bool first = !drag_->moved;
     drag_->moved = true;
-    const Camera& camera = context.camera;
-    const double unit = camera.unitsPerPixel(drag_->start, context.height);
-    const Vec3 position = drag_->start + (camera.right() * way.x - camera.upward() * way.y) * unit;
-    const Result<Edit> edit = editTo(context, *object, position);
-    const QString refusal = edit ? QString() : QString::fromStdString(edit.error().sentence());
-    if (refusal != drag_->refusal)
-        context.hint(refusal);
-    drag_->refusal = refusal;
+    const double share = pointer.modifiers.testFlag(Qt::ShiftModifier) ? kFine : 1;
+    drag_->way += share * (pointer.position - drag_->last);
+    drag_->last = pointer.position;
+    const auto refuse = [&](const Error& error) {
+        const QString refusal = QString::fromStdString(error.sentence());
+        if (refusal != drag_->refusal)
+            context.hint(refusal);
+        drag_->refusal = refusal;
+        return ToolAnswer::keep;  // all stay where they were
+    };
+    if (first || !drag_->points)
+        if (const auto begun = begin(context); !begun)
+            return refuse(begun.error());
+    const Result<Edit> edit = editTo(context);
     if (!edit)
-        return ToolAnswer::keep;  // stays where it was
+        return refuse(edit.error());
+    if (!drag_->refusal.isEmpty())
+        context.hint({});
+    drag_->refusal.clear();
     drag_->applied = true;
-    context.document.apply(*edit, QObject::tr("Move control point"), context.gesture);
+    context.document.apply(*edit, drag_->step, context.gesture);
     return ToolAnswer::keep;
 }
 
@@ -89,6 +156,8 @@ ToolAnswer MoveControlPoint::release(const ToolContext& context, const ToolPoint
         context.hint({});
         context.trouble(drag_->refusal);
     }
+    if (!drag_->moved && drag_->alone)
+        context.selection.setPoints(pointOf(context.document.scene(), drag_->point));
     drag_.reset();
     return cameToNothing ? ToolAnswer::revert : ToolAnswer::commit;
 }
@@ -103,7 +172,7 @@ void MoveControlPoint::click(const ToolContext& context, const ToolPointer& poin
         chosen.clear();
     if (object && !(toggles && chosen.erase(*object) != 0))
         chosen.insert(*object);
-    context.selection.setControlPoint({});
+    context.selection.setPoints({});
     context.selection.setObjects(std::move(chosen));
 }
 

@@ -19,13 +19,6 @@ bool isIn(const Scene& scene, const PickedControlPoint& point)
     return object && point.index.i < object->surface.countU() && point.index.j < object->surface.countV();
 }
 
-bool hasOtherNet(const Scene& scene, const PickedControlPoint& point,
-                 const std::optional<std::pair<int, int>>& net)
-{
-    const NurbsSurface& surface = scene.find(point.object)->surface;
-    return net && *net != std::pair(surface.countU(), surface.countV());
-}
-
 }  // namespace
 
 void Selection::setObjects(std::set<ObjectId> objects)
@@ -33,21 +26,21 @@ void Selection::setObjects(std::set<ObjectId> objects)
     if (objects == objects_)
         return;
     objects_ = std::move(objects);
-    if (controlPoint_ && !contains(controlPoint_->object))
-        controlPoint_.reset();
+    PointSelection others;
+    for (const auto& [id, chosen] : points_.objects())
+        if (!contains(id))
+            others.add(PointSelection(id, chosen.net, chosen.points));
+    points_.remove(others);
     Q_EMIT changed();
 }
 
-void Selection::setControlPoint(const Point& point, const SceneObject* of)
+void Selection::setPoints(PointSelection points)
 {
-    net_.reset();
-    if (of != nullptr)
-        net_ = {of->surface.countU(), of->surface.countV()};
-    if (same(point, controlPoint_))
+    if (points == points_)
         return;
-    controlPoint_ = point;
-    if (point && !contains(point->object))
-        objects_ = {point->object};
+    points_ = std::move(points);
+    for (const auto& [id, chosen] : points_.objects())
+        objects_.insert(id);
     Q_EMIT changed();
 }
 
@@ -61,10 +54,10 @@ void Selection::setHovered(const Point& point)
 
 void Selection::clear()
 {
-    if (objects_.empty() && !controlPoint_ && !hovered_)
+    if (objects_.empty() && !hovered_)
         return;
     objects_.clear();
-    controlPoint_.reset();
+    points_ = {};
     hovered_.reset();
     Q_EMIT changed();
 }
@@ -77,8 +70,9 @@ void Selection::keepOnly(const Scene& scene)
             kept.insert(id);
     if (hovered_ && !isIn(scene, *hovered_))
         setHovered({});
-    if (controlPoint_ && (!isIn(scene, *controlPoint_) || hasOtherNet(scene, *controlPoint_, net_)))
-        setControlPoint({});
+    PointSelection points = points_;
+    points.keepOnly(scene);
+    setPoints(std::move(points));
     setObjects(std::move(kept));
 }
 

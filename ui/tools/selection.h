@@ -1,4 +1,4 @@
-// What the user has chosen: objects, one of their control points, and the control point under the cursor.
+// What the user has chosen: objects, control points of theirs, and the control point under the cursor.
 // Viewport, panels and tools share one.
 #pragma once
 
@@ -7,6 +7,7 @@
 
 #include <QObject>
 
+#include "model/sculpting/point_selection.h"
 #include "renderer/renderer.h"
 
 namespace knotspan {
@@ -19,28 +20,25 @@ public:
 
     [[nodiscard]] const std::set<ObjectId>& objects() const { return objects_; }
     [[nodiscard]] bool contains(ObjectId id) const { return objects_.count(id) != 0; }
-    [[nodiscard]] const std::optional<PickedControlPoint>& controlPoint() const { return controlPoint_; }
+    [[nodiscard]] const PointSelection& points() const { return points_; }
     [[nodiscard]] const std::optional<PickedControlPoint>& hovered() const { return hovered_; }
 
-    void setObjects(std::set<ObjectId> objects);
-    // Its object becomes selected too. Where `of`, the object as it is, is given, the point is let go as soon
-    // as the object's net has another shape: its index then names another point.
-    void setControlPoint(const std::optional<PickedControlPoint>& point, const SceneObject* of = nullptr);
+    void setObjects(std::set<ObjectId> objects);  // points of others are let go
+    // Their objects become selected too.
+    void setPoints(PointSelection points);
     void setHovered(const std::optional<PickedControlPoint>& point);
     void clear();
 
-    // Lets go of what the scene no longer has.
+    // Lets go of what the scene no longer has, and of points whose net has another size: their indices name
+    // other points then.
     void keepOnly(const Scene& scene);
 
 Q_SIGNALS:
     void changed();  // any of the three
 
 private:
-    using NetShape = std::pair<int, int>;
-
     std::set<ObjectId> objects_;
-    std::optional<PickedControlPoint> controlPoint_;
-    std::optional<NetShape> net_;  // of its object
+    PointSelection points_;
     std::optional<PickedControlPoint> hovered_;
 };
 

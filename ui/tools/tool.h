@@ -8,6 +8,7 @@
 
 #include "model/document/document.h"
 #include "model/friends/friends.h"
+#include "model/sculpting/point_drag.h"
 #include "ui/tools/selection.h"
 
 namespace knotspan {
@@ -28,6 +29,7 @@ struct ToolPointer {
 struct ToolSettings {
     bool keepFriends = false;  // drags take the control points of friends along, so that edges stay smooth
     FriendTolerances friends;  // who is a friend; the window's Friends, where it has them, know better
+    DragSettings drag;         // which way control points go, and who follows; `others` is the tool's to tell
 
     [[nodiscard]] bool operator==(const ToolSettings&) const = default;
 };

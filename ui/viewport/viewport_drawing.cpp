@@ -90,12 +90,12 @@ void Viewport::addSelectionTo(Overlays& overlays) const
             overlays.netsOf.push_back(id);
     overlays.highlighted = overlays.netsOf;
     overlays.marks.clear();
-    const auto& selected = selection_.controlPoint();
     const auto& hovered = selection_.hovered();
     if (hovered)
         overlays.marks.push_back({hovered->object, hovered->index, false});
-    if (selected)
-        overlays.marks.push_back({selected->object, selected->index, true});
+    for (const auto& [id, chosen] : selection_.points().objects())
+        for (const ControlPointIndex index : chosen.points)
+            overlays.marks.push_back({id, index, true});
 }
 
 }  // namespace knotspan
