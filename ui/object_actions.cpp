@@ -1,7 +1,14 @@
 // The menu Object: what the selected objects are told.
 #include <algorithm>
 
+#include <QStatusBar>
+
 #include "ui/action_rows.h"
+#include "ui/curves_dialog.h"
+#include "ui/mirror_dialog.h"
+#include "ui/scene_additions.h"
+#include "ui/shape_dialog.h"
+#include "ui/transform_dialog.h"
 
 namespace knotspan {
 
@@ -33,18 +40,73 @@ void tell(Window& window, Sides sides, const QString& step)
         window.document().apply(edit, step);
 }
 
+// In place, as in Rhino: the copies are selected, to be moved away.
+void duplicateSelected(Window& window)
+{
+    window.document().endPreview();
+    const Scene& scene = window.document().scene();
+    SceneAdditions copies(scene);
+    for (const ObjectId id : window.selection().objects())
+        if (const SharedObject object = scene.find(id))
+            copies.addCopy(*object);
+    const int count = static_cast<int>(copies.ids().size());
+    if (count == 0)
+        return;
+    window.document().apply(copies.edit(), count == 1 ? MainWindow::tr("Duplicate an object")
+                                                      : MainWindow::tr("Duplicate %1 objects").arg(count));
+    window.selection().setObjects(copies.ids());
+    window.statusBar()->showMessage(
+        count == 1 ? MainWindow::tr("The copy lies in the same place and is selected: move it away")
+                   : MainWindow::tr("The %1 copies lie in the same place and are selected: move them away")
+                         .arg(count));
+}
+
+template <class Dialog>
+void bringUp(Window& window)
+{
+    broughtUp<Dialog>(window, [&] { return new Dialog(window.document(), window.selection(), &window); });
+}
+
 }  // namespace
 
 const std::vector<ActionInfo>& objectActions()
 {
     static const std::vector<ActionInfo> kList = {
+        {.id = "object.add",
+         .text = TEXT("A&dd…"),
+         .shortcuts = {QKeySequence("Shift+A")},
+         .tip = TEXT("Add a plane, cylinder, cone, sphere or torus from numbers, and see it first"),
+         .run = [](Window& w, bool) { bringUp<ShapeDialog>(w); }},
+        {.id = "object.curves",
+         .text = TEXT("Surface from &curves…"),
+         .shortcuts = {QKeySequence("Shift+S")},
+         .tip = TEXT("Extrude, revolve or loft curves of the selected surfaces, and see it first"),
+         .run = [](Window& w, bool) { bringUp<CurvesDialog>(w); }},
+        {.id = "object.duplicate",
+         .text = TEXT("D&uplicate"),
+         .shortcuts = {QKeySequence("Ctrl+D")},
+         .tip = TEXT("Copy the selected objects in place and select the copies"),
+         .run = [](Window& w, bool) { duplicateSelected(w); },
+         .isEnabled = hasSelection,
+         .separated = true},
+        {.id = "object.mirror",
+         .text = TEXT("&Mirror…"),
+         .shortcuts = {QKeySequence("Ctrl+Shift+M")},
+         .tip = TEXT("Mirror the selected objects, or copies of them, in a plane, and see it first"),
+         .run = [](Window& w, bool) { bringUp<MirrorDialog>(w); }},
+        {.id = "object.transform",
+         .text = TEXT("Mo&ve, turn, scale…"),
+         .shortcuts = {QKeySequence("Ctrl+T")},
+         .tip = TEXT("Move, turn and scale the selected objects by numbers, and see it first"),
+         .run = [](Window& w, bool) { bringUp<TransformDialog>(w); }},
         {.id = "object.sidesAutomatic",
          .text = TEXT("&Automatic sides"),
          .shortcuts = {},
          .tip = TEXT("Draw only the outside of closed bodies, which is faster, and both sides of all else"),
          .run = [](Window& w, bool) { tell(w, Sides::automatic, MainWindow::tr("Automatic sides")); },
          .isEnabled = hasSelection,
-         .isChecked = [](Window& w) { return allHave(w, Sides::automatic); }},
+         .isChecked = [](Window& w) { return allHave(w, Sides::automatic); },
+         .separated = true},
         {.id = "object.sidesBoth",
          .text = TEXT("&Both sides"),
          .shortcuts = {},

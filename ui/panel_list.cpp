@@ -2,6 +2,7 @@
 
 #include "ui/main_window.h"
 #include "ui/panels/friends_panel.h"
+#include "ui/panels/history_panel.h"
 #include "ui/panels/objects_panel.h"
 #include "ui/panels/rendering_panel.h"
 #include "ui/panels/stats_panel.h"
@@ -34,6 +35,11 @@ QWidget* makeTool(MainWindow& window)
     return new ToolPanel(window.document(), window.viewport());
 }
 
+QWidget* makeHistory(MainWindow& window)
+{
+    return new HistoryPanel(window.document());
+}
+
 QWidget* makeStats(MainWindow& window)
 {
     auto* panel = new StatsPanel;
@@ -51,6 +57,7 @@ const std::vector<PanelInfo>& panelList()
         {"friends-dock", TITLE("Friends"), Qt::LeftDockWidgetArea, makeFriends, "Ctrl+F", true,
          "objects-dock"},
         {"tool-dock", TITLE("Dragging"), Qt::LeftDockWidgetArea, makeTool, "D", true, "friends-dock"},
+        {"history-dock", TITLE("History"), Qt::LeftDockWidgetArea, makeHistory, "Ctrl+H", true, "tool-dock"},
         {"stats-dock", TITLE("Statistics"), Qt::RightDockWidgetArea, makeStats},
     };
     return kList;

@@ -3,6 +3,7 @@
 
 #include "model/sculpting/point_drag.h"
 #include "model/sculpting/twins.h"
+#include "ui/points_dialog.h"
 
 namespace knotspan {
 
@@ -75,6 +76,15 @@ void nudge(Window& window, double right, double up)
         window.document().apply(*edit, MainWindow::tr("Nudge control points"));
 }
 
+void byNumbers(Window& window)
+{
+    broughtUp<PointsDialog>(window, [&] {
+        return new PointsDialog(
+            window.document(), window.selection(),
+            [&window] { return window.viewport().toolSettings().drag; }, &window);
+    });
+}
+
 // In tenths of a nudge.
 template <int right, int up>
 ActionInfo nudgeRow(const char* id, const char* text, const char* keys)
@@ -129,6 +139,12 @@ const std::vector<ActionInfo>& pointActions()
          .tip = TEXT("Select the other control points of the selected objects"),
          .run = [](Window& w, bool) { invert(w); },
          .isEnabled = hasSelection},
+        {.id = "points.numbers",
+         .text = TEXT("By n&umbers…"),
+         .shortcuts = {QKeySequence("Ctrl+Shift+P")},
+         .tip = TEXT("Move the selected control points by or to coordinates, or set their weight"),
+         .run = [](Window& w, bool) { byNumbers(w); },
+         .separated = true},
         nudgeRow<-10, 0>("points.left", TEXT("Nudge left"), "Alt+Left"),
         nudgeRow<10, 0>("points.right", TEXT("Nudge right"), "Alt+Right"),
         nudgeRow<0, 10>("points.up", TEXT("Nudge up"), "Alt+Up"),

@@ -13,6 +13,8 @@ public:
     Preview(Document& document, QString text, QObject* parent);
     ~Preview() override;
 
+    void setText(const QString& text) { text_ = text; }  // of what is shown or applied from now on
+
     void show(const Edit& edit);  // in the place of what is shown
     void takeBack();
     // Makes the edit, shown or not, one step.

@@ -171,7 +171,9 @@ void RefineDialog::look()
     const std::optional<ObjectId> id = target();
     const Scene& scene = document_.scene();
     const SharedObject object = id ? scene.find(*id) : nullptr;
-    tolerance_->setSuffix(" " + QString::fromStdString(scene.units()));
+    const QString suffix = " " + QString::fromStdString(scene.units());
+    if (tolerance_->suffix() != suffix)  // else a number that is being typed would be rewritten
+        tolerance_->setSuffix(suffix);
     if (!object) {
         details_->setText(selection_.objects().empty() ? tr("Select a surface: click it in the viewport.")
                                                        : tr("Select one surface only."));

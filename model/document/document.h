@@ -22,6 +22,8 @@ public:
     // Ends a running gesture first, so that its step is on the stack; where a drag may run, ask canUndo()
     // etc.
     [[nodiscard]] QUndoStack& undoStack();
+    // The same, to be looked at: a running gesture is not among its steps and goes on.
+    [[nodiscard]] const QUndoStack& history() const { return undoStack_; }
     void undo() { undoStack().undo(); }
     void redo() { undoStack().redo(); }
     [[nodiscard]] bool canUndo() const { return isDragging() || undoStack_.canUndo(); }

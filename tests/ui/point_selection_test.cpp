@@ -6,11 +6,14 @@
 #include <QAction>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QPushButton>
+#include <QTest>
 
 #include <glm/geometric.hpp>
 
 #include "tests/ui/window_harness.h"
 #include "ui/panels/tool_panel.h"
+#include "ui/points_dialog.h"
 
 namespace knotspan {
 namespace {
@@ -168,6 +171,47 @@ TEST_F(PointSelectionTest, ThePanelSaysWhichWayAndWhoFollows)
     EXPECT_EQ(steps(), 1);
     act("edit.undo");
     EXPECT_TRUE(scene() == start);
+}
+
+TEST_F(PointSelectionTest, NumbersMoveAndWeighThem)
+{
+    selection().setPoints(pointOf(scene(), {id, {2, 3}}));
+    act("points.numbers");
+    auto* dialog = window->findChild<PointsDialog*>();
+    ASSERT_NE(dialog, nullptr);
+    const auto choose = [&](int what) {
+        dialog->findChild<QComboBox*>("what")->setCurrentIndex(what);
+        EXPECT_TRUE(QTest::qWaitFor([&] { return !dialog->isLooking(); }, 10'000));
+    };
+    const auto type = [&](const char* box, double value) {
+        dialog->findChild<QDoubleSpinBox*>(box)->setValue(value);
+        EXPECT_TRUE(QTest::qWaitFor([&] { return !dialog->isLooking(); }, 10'000));
+    };
+    const auto apply = [&] { QTest::mouseClick(dialog->findChild<QPushButton*>("apply"), Qt::LeftButton); };
+    const auto now = [&] { return scene().find(id)->surface.controlPoint(2, 3); };
+    const Vec3 before = start.find(id)->surface.controlPoint(2, 3).position;
+    choose(0);
+    type("place-z", 0.25);
+    EXPECT_FALSE(scene() == start);  // it is shown
+    apply();
+    EXPECT_LE(glm::distance(now().position, before + Vec3(0, 0, 0.25)), 1e-12);
+    choose(1);
+    type("place-x", before.x + 0.5);
+    apply();
+    EXPECT_NEAR(now().position.x, dialog->findChild<QDoubleSpinBox*>("place-x")->value(), 1e-12);
+    EXPECT_NEAR(now().position.x, before.x + 0.5, 1e-4);
+    EXPECT_EQ(now().position.y, before.y);
+    choose(2);
+    type("weight", 2.5);
+    apply();
+    EXPECT_EQ(now().weight, 2.5);
+    EXPECT_EQ(steps(), 3);
+    for (int k = 0; k < 3; ++k)
+        act("edit.undo");
+    EXPECT_TRUE(scene() == start);
+    selection().setPoints({});
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !dialog->isLooking(); }, 10'000));
+    EXPECT_FALSE(dialog->findChild<QPushButton*>("apply")->isEnabled());
 }
 
 TEST_F(PointSelectionTest, KeysNudgeThem)
