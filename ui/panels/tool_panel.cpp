@@ -1,5 +1,7 @@
 #include "ui/panels/tool_panel.h"
 
+#include <cmath>
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -92,7 +94,6 @@ void ToolPanel::makeLayout()
         describe(box, id, QString(label).remove('&'), tip);
         box->setRange(least, 1e9);
         box->setDecimals(4);
-        box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
         form->addRow(label, box);
         connect(box, &QDoubleSpinBox::valueChanged, this, &ToolPanel::tell);
         return box;
@@ -144,6 +145,11 @@ void ToolPanel::takeOver()
     const QString units = " " + QString::fromStdString(document_.scene().units());
     radius_->setSuffix(drag.falloff.distance == FalloffDistance::netSteps ? tr(" steps") : units);
     place_->setSuffix(units);
+    // Some tens of steps across the model.
+    const double size = document_.scene().bounds().diagonal();
+    const double step = size > 0 ? std::pow(10, std::floor(std::log10(size / 10))) : 1;
+    radius_->setSingleStep(drag.falloff.distance == FalloffDistance::netSteps ? 1 : step);
+    place_->setSingleStep(step);
 }
 
 void ToolPanel::tell()
