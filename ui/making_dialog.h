@@ -75,7 +75,6 @@ protected:
 private:
     QDoubleSpinBox* makeBox(const QString& id, const QString& name, const QString& tip, bool isLength);
     [[nodiscard]] QWidget* rowOf(const VectorBoxes& boxes) const;
-    QWidget* makeButtons();
     void fitLengths();
     void look();
     void apply();

@@ -1,14 +1,13 @@
 // How the dialogs that make objects are put together.
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDialogButtonBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "ui/described.h"
+#include "ui/apply_buttons.h"
 #include "ui/making_dialog.h"
 
 namespace knotspan {
@@ -141,21 +140,7 @@ void MakingDialog::finishLayout()
     column->addLayout(formOf(form_));
     column->addWidget(preview_);
     column->addWidget(details_, 1);
-    column->addWidget(makeButtons());
-}
-
-QWidget* MakingDialog::makeButtons()
-{
-    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Apply | QDialogButtonBox::Close, this);
-    apply_ = buttons->button(QDialogButtonBox::Apply);
-    describe(apply_, "apply", tr("Apply"), tr("Make the change one step that can be undone"));
-    QPushButton* close = buttons->button(QDialogButtonBox::Close);
-    describe(close, "close", tr("Close"), tr("Take back what is shown but not applied"));
-    close->setAutoDefault(false);
-    apply_->setDefault(true);
-    connect(apply_, &QPushButton::clicked, this, &MakingDialog::apply);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    return buttons;
+    column->addWidget(applyAndClose(*this, apply_, [this] { apply(); }));
 }
 
 }  // namespace knotspan

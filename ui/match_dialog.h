@@ -47,7 +47,6 @@ private:
     void makeLayout();
     void makeChoices(QFormLayout& form);
     void makeTolerances(QFormLayout& form);
-    QWidget* makeButtons();
     void fillEdges();
     [[nodiscard]] QString lineOf(const ObjectEdge& edge) const;
     void chooseEdge(int row);

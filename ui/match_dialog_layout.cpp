@@ -1,14 +1,13 @@
 // How the dialog is put together.
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDialogButtonBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "ui/described.h"
+#include "ui/apply_buttons.h"
 #include "ui/match_dialog.h"
 
 namespace knotspan {
@@ -34,7 +33,7 @@ void MatchDialog::makeLayout()
     column->addLayout(form);
     column->addWidget(preview_);
     column->addWidget(details_, 1);
-    column->addWidget(makeButtons());
+    column->addWidget(applyAndClose(*this, apply_, [this] { apply(); }));
     connect(preview_, &QCheckBox::toggled, this, [this] {
         mayShow_ = true;
         look();
@@ -92,20 +91,6 @@ void MatchDialog::makeTolerances(QFormLayout& form)
             tr("As a part of the larger of the two; it counts for G2 only"), 100 * defaults.curvature, 100);
     curvature_->setDecimals(4);
     curvature_->setSuffix(tr(" %"));
-}
-
-QWidget* MatchDialog::makeButtons()
-{
-    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Apply | QDialogButtonBox::Close, this);
-    apply_ = buttons->button(QDialogButtonBox::Apply);
-    describe(apply_, "apply", tr("Apply"), tr("Make the change one step that can be undone"));
-    QPushButton* close = buttons->button(QDialogButtonBox::Close);
-    describe(close, "close", tr("Close"), tr("Take back what is shown but not applied"));
-    close->setAutoDefault(false);
-    apply_->setDefault(true);
-    connect(apply_, &QPushButton::clicked, this, &MatchDialog::apply);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    return buttons;
 }
 
 }  // namespace knotspan

@@ -11,16 +11,13 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 
+#include "model/refining/directions.h"
+
 namespace knotspan {
 
 namespace {
 
 constexpr int kWaitMs = 120;  // for the hand that still turns a value
-
-const KnotVector& knotsOf(const NurbsSurface& surface, Direction direction)
-{
-    return direction == Direction::U ? surface.knotsU() : surface.knotsV();
-}
 
 // No length grows by more than this: exact where the transform turns, moves and scales evenly.
 double largestScale(const Mat4& transform)

@@ -36,7 +36,6 @@ protected:
 private:
     void makeLayout();
     void makeNumbers(QFormLayout& form);
-    QWidget* makeButtons();
     // The surface that is refined: the only selected one.
     [[nodiscard]] std::optional<ObjectId> target() const;
     void takeTarget();

@@ -1,7 +1,6 @@
 // How the dialog is put together.
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDialogButtonBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QLabel>
@@ -9,7 +8,7 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 
-#include "ui/described.h"
+#include "ui/apply_buttons.h"
 #include "ui/refine_dialog.h"
 
 namespace knotspan {
@@ -54,7 +53,7 @@ void RefineDialog::makeLayout()
     column->addLayout(form_);
     column->addWidget(preview_);
     column->addWidget(details_, 1);
-    column->addWidget(makeButtons());
+    column->addWidget(applyAndClose(*this, apply_, [this] { apply(); }));
     for (QComboBox* box : {kind_, direction_})
         connect(box, &QComboBox::currentIndexChanged, this, [this] {
             shown_.takeBack();
@@ -114,20 +113,6 @@ void RefineDialog::showWhatCounts()
     show(tolerance_, is({Kind::removeKnot, Kind::lowerDegree}));
     for (QSpinBox* box : {countU_, countV_, degreeU_, degreeV_})
         show(box, is({Kind::rebuild}));
-}
-
-QWidget* RefineDialog::makeButtons()
-{
-    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Apply | QDialogButtonBox::Close, this);
-    apply_ = buttons->button(QDialogButtonBox::Apply);
-    describe(apply_, "apply", tr("Apply"), tr("Make the change one step that can be undone"));
-    QPushButton* close = buttons->button(QDialogButtonBox::Close);
-    describe(close, "close", tr("Close"), tr("Take back what is shown but not applied"));
-    close->setAutoDefault(false);
-    apply_->setDefault(true);
-    connect(apply_, &QPushButton::clicked, this, &RefineDialog::apply);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    return buttons;
 }
 
 }  // namespace knotspan

@@ -85,6 +85,7 @@ struct Friends::State {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<FriendEdge>> meetings;
     std::vector<Indices> partners;                  // by edge: with whom it has meetings
     std::vector<std::vector<EdgePart>> nakedParts;  // by edge
+    std::vector<std::uint8_t> isTooShort;           // by edge
     std::vector<FriendEdge> edges;
     std::vector<EdgePart> naked;
     std::vector<EdgePart> tooShort;
@@ -162,6 +163,10 @@ struct Friends::State {
             touched.insert(touched.end(), partners[edge].begin(), partners[edge].end());
         }
         sortUnique(touched);
+        for (const std::uint32_t edge : moved) {
+            const EdgeStrip& strip = strips[edge];
+            isTooShort[edge] = isPoint(strip) && strip.length() > 1e-9 * strip.size ? 1 : 0;
+        }
         for (const std::uint32_t edge : touched)
             findNaked(edge);
         list();
@@ -198,9 +203,9 @@ struct Friends::State {
         for (const auto& [pair, found] : meetings)
             edges.insert(edges.end(), found.begin(), found.end());
         tooShort.clear();
-        for (const EdgeStrip& strip : strips)
-            if (isPoint(strip) && strip.length() > 1e-9 * strip.size)
-                tooShort.push_back(strip.edge);
+        for (size_t edge = 0; edge < strips.size(); ++edge)
+            if (isTooShort[edge] != 0)
+                tooShort.push_back(strips[edge].edge);
         naked.clear();
         for (const auto& parts : nakedParts)
             naked.insert(naked.end(), parts.begin(), parts.end());
@@ -228,6 +233,7 @@ Friends::Friends(const std::vector<PlacedSurface>& surfaces, const FriendToleran
     state_->strips.resize(count);
     state_->partners.resize(count);
     state_->nakedParts.resize(count);
+    state_->isTooShort.resize(count);
     Indices all;
     for (std::uint32_t index = 0; index < surfaces.size(); ++index)
         state_->setSurface(index, surfaces[index], all);

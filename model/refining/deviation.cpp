@@ -10,15 +10,11 @@
 #include "model/geometry/evaluation.h"
 #include "model/geometry/knot_insertion.h"
 #include "model/geometry/ksquad.h"
+#include "model/refining/directions.h"
 
 namespace knotspan {
 
 namespace {
-
-const KnotVector& knotsOf(const NurbsSurface& surface, Direction direction)
-{
-    return direction == Direction::U ? surface.knotsU() : surface.knotsV();
-}
 
 std::map<double, int> countsInside(const KnotVector& knots)
 {

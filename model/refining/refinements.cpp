@@ -5,16 +5,12 @@
 #include <cstdio>
 
 #include "model/geometry/degree_elevation.h"
+#include "model/refining/directions.h"
 #include "model/refining/spline_fit.h"
 
 namespace knotspan {
 
 namespace {
-
-const KnotVector& knotsOf(const NurbsSurface& surface, Direction direction)
-{
-    return direction == Direction::U ? surface.knotsU() : surface.knotsV();
-}
 
 std::string text(double value)
 {

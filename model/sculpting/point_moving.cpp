@@ -1,5 +1,7 @@
 #include "model/sculpting/point_moving.h"
 
+#include "model/sculpting/with_points.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -26,13 +28,7 @@ Result<SharedObject> withPointsMoved(const SharedObject& object, const std::vect
         if (!std::isfinite(position.x) || !std::isfinite(position.y) || !std::isfinite(position.z))
             return failure("A control point would go infinitely far away", "Drag it less far");
     }
-    auto surface =
-        NurbsSurface::create(object->surface.knotsU(), object->surface.knotsV(), std::move(points));
-    if (!surface)
-        return tl::unexpected(surface.error());
-    auto changed = std::make_shared<SceneObject>(*object);
-    changed->surface = *std::move(surface);
-    return changed;
+    return withPoints(*object, std::move(points));
 }
 
 }  // namespace knotspan

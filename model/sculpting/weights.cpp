@@ -1,5 +1,7 @@
 #include "model/sculpting/weights.h"
 
+#include "model/sculpting/with_points.h"
+
 #include <algorithm>
 #include <cstdio>
 #include <limits>
@@ -52,13 +54,7 @@ Result<SharedObject> withNewWeights(const SharedObject& object, const SelectedPo
     }
     if (!changes)
         return object;
-    auto surface =
-        NurbsSurface::create(object->surface.knotsU(), object->surface.knotsV(), std::move(points));
-    if (!surface)
-        return tl::unexpected(surface.error());
-    auto changed = std::make_shared<SceneObject>(*object);
-    changed->surface = *std::move(surface);
-    return changed;
+    return withPoints(*object, std::move(points));
 }
 
 template <class NewWeight>

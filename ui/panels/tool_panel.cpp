@@ -7,7 +7,8 @@
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QScopedValueRollback>
-#include <QSignalBlocker>
+
+#include "ui/viewport/described.h"
 
 namespace knotspan {
 
@@ -55,13 +56,6 @@ Symmetry symmetryOf(SymmetryRow row, double place)
     }
     }
     return symmetry;
-}
-
-void describe(QWidget* widget, const char* id, const QString& name, const QString& tip)
-{
-    widget->setObjectName(id);
-    widget->setAccessibleName(name);
-    widget->setToolTip(tip);
 }
 
 }  // namespace
