@@ -7,6 +7,7 @@
 
 #include "model/friends/edge_part.h"
 #include "model/geometry/basis_evaluators.h"
+#include "model/geometry/knot_insertion.h"
 #include "model/scene/control_point_editing.h"
 #include "model/scene/deformation.h"
 #include "model/scene/scene.h"
@@ -20,11 +21,16 @@ namespace knotspan {
 // What a picture shows where no surface is: sRGB.
 constexpr std::uint8_t kBackground[3] = {43, 46, 52};
 
-// A control point to mark, and how.
+// Colours of overlays: 0xRRGGBB, sRGB. Blue lines and orange points stay apart for colour-blind eyes.
+constexpr std::uint32_t kSelectedColour = 0xff6b1a;
+constexpr std::uint32_t kHoverColour = 0xffffff;
+
+// A control point to mark.
 struct ControlPointMark {
     ObjectId object{};
     ControlPointIndex index;
-    bool selected = false;  // false: hovered
+    std::uint32_t colour = kSelectedColour;
+    float sizePx = 10;
 
     [[nodiscard]] bool operator==(const ControlPointMark&) const = default;
 };
@@ -39,17 +45,50 @@ struct EdgeLine {
     [[nodiscard]] bool operator==(const EdgeLine&) const = default;
 };
 
+// A line on an object's surface where one of its parameters has a value.
+struct IsoLine {
+    ObjectId object{};
+    Direction across = Direction::U;  // the parameter that stands still
+    double parameter = 0;             // in the domain
+    std::uint32_t colour = kHoverColour;
+    double widthPx = 3;
+
+    [[nodiscard]] bool operator==(const IsoLine&) const = default;
+};
+
+// A straight line in the picture itself, in front of everything; it may taper, as an arrow's head does.
+struct Stroke {
+    Vec2 from{0};  // pixels from the upper left corner
+    Vec2 to{0};
+    std::uint32_t colour = kHoverColour;
+    float widthFromPx = 2;
+    float widthToPx = 2;
+    float opacity = 1;
+
+    [[nodiscard]] bool operator==(const Stroke&) const = default;
+};
+
 struct Overlays {
-    bool controlNets = false;           // of all objects
+    bool controlNets = false;           // of all objects that are not locked
     std::vector<ObjectId> netsOf;       // of these, whatever controlNets says
+    bool points = true;                 // of those nets: the control points
+    bool hulls = true;                  // and the lines between them
     bool knotLines = false;             // the KSQuads' borders on every surface
+    int isoCurves = 0;                  // parts that lines cut every KSQuad into, each way; below 2: none
+    bool normals = false;               // a line to the front of each KSQuad
     std::vector<ObjectId> highlighted;  // objects drawn as selected
+    std::optional<ObjectId> hovered;    // drawn as what a click would take
     std::vector<ControlPointMark> marks;
     std::vector<EdgeLine> edgeLines;  // what surfaces hide of them does not show
+    std::vector<IsoLine> isoLines;    // likewise
+    std::vector<Stroke> strokes;
 
     [[nodiscard]] bool operator==(const Overlays&) const = default;
     // Whether anything is drawn from control points.
-    [[nodiscard]] bool showNets() const { return controlNets || !netsOf.empty() || !marks.empty(); }
+    [[nodiscard]] bool showNets() const
+    {
+        return ((controlNets || !netsOf.empty()) && (points || hulls)) || !marks.empty();
+    }
 };
 
 struct Frame {

@@ -8,6 +8,9 @@ namespace knotspan {
 
 namespace {
 
+constexpr VkPipelineStageFlags2 kDepthTests =
+    VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT;
+
 VkRenderingAttachmentInfo attachment(const Image& image, VkImageLayout layout, VkClearValue clear, bool fresh)
 {
     VkRenderingAttachmentInfo info{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
@@ -17,6 +20,23 @@ VkRenderingAttachmentInfo attachment(const Image& image, VkImageLayout layout, V
     info.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
     info.clearValue = clear;
     return info;
+}
+
+void copyPart(VkCommandBuffer commands, const Image& image, VkImageAspectFlags aspect, VkRect2D part,
+              VkBuffer to, VkDeviceSize offset)
+{
+    VkBufferImageCopy copy{};
+    copy.bufferOffset = offset;
+    copy.imageSubresource = {aspect, 0, 0, 1};
+    copy.imageOffset = {part.offset.x, part.offset.y, 0};
+    copy.imageExtent = {part.extent.width, part.extent.height, 1};
+    vkCmdCopyImageToBuffer(commands, image.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, to, 1, &copy);
+}
+
+void showToHost(VkCommandBuffer commands)
+{
+    memoryBarrier(commands, VK_PIPELINE_STAGE_2_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
+                  VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT);
 }
 
 }  // namespace
@@ -33,7 +53,7 @@ FrameTargets::FrameTargets(const Device& device, VkExtent2D extent)
       depth_(device, kDepthFormat, extent,
              VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
              VK_IMAGE_ASPECT_DEPTH_BIT),
-      onePixel_(device, sizeof(std::uint32_t), Buffer::Place::readBack)
+      onePixel_(device, sizeof(Pixel), Buffer::Place::readBack)
 {
 }
 
@@ -46,7 +66,7 @@ void FrameTargets::begin(VkCommandBuffer commands)
             VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT, true);
     depth_.transition(
         commands, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, 0,
-        VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT,
+        kDepthTests,
         VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT | VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT, true);
     start(commands, true);
 }
@@ -78,27 +98,22 @@ void FrameTargets::start(VkCommandBuffer commands, bool fresh)
 
 void FrameTargets::pause(VkCommandBuffer commands, VkBuffer depths)
 {
-    constexpr VkPipelineStageFlags2 kTests =
-        VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT;
     constexpr VkAccessFlags2 kDepth =
         VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT | VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT;
     constexpr VkPipelineStageFlags2 kCompute = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
     constexpr VkPipelineStageFlags2 kTransfer = VK_PIPELINE_STAGE_2_TRANSFER_BIT;
     vkCmdEndRendering(commands);
-    depth_.transition(commands, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, kTests, kDepth, kTransfer,
+    depth_.transition(commands, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, kDepthTests, kDepth, kTransfer,
                       VK_ACCESS_2_TRANSFER_READ_BIT);
     // What is made next takes the place of what the drawing stages have read and counted.
     memoryBarrier(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_WRITE_BIT,
                   VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
                   VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT);
-    VkBufferImageCopy region{};
-    region.imageSubresource = {VK_IMAGE_ASPECT_DEPTH_BIT, 0, 0, 1};
-    region.imageExtent = {extent_.width, extent_.height, 1};
-    vkCmdCopyImageToBuffer(commands, depth_.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, depths, 1, &region);
+    copyPart(commands, depth_, VK_IMAGE_ASPECT_DEPTH_BIT, {{0, 0}, extent_}, depths, 0);
     memoryBarrier(commands, kTransfer, VK_ACCESS_2_TRANSFER_WRITE_BIT, kCompute,
                   VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT);
     depth_.transition(commands, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, kTransfer,
-                      VK_ACCESS_2_TRANSFER_READ_BIT, kTests, kDepth);
+                      VK_ACCESS_2_TRANSFER_READ_BIT, kDepthTests, kDepth);
 }
 
 void FrameTargets::resume(VkCommandBuffer commands)
@@ -125,7 +140,7 @@ Picture FrameTargets::read() const
     Picture picture{static_cast<int>(extent_.width), static_cast<int>(extent_.height), {}};
     picture.rgba.resize(size_t{4} * extent_.width * extent_.height);
     const Buffer readBack(device_, picture.rgba.size(), Buffer::Place::readBack);
-    copyOut(colour_, {{0, 0}, extent_}, readBack);
+    copyOut(colour_, readBack);
     std::memcpy(picture.rgba.data(), readBack.mapped(), picture.rgba.size());
     return picture;
 }
@@ -136,30 +151,34 @@ KsQuadIndices FrameTargets::readKsQuads() const
     ksquads.indices.resize(size_t{1} * extent_.width * extent_.height);
     const size_t bytes = ksquads.indices.size() * sizeof(ksquads.indices[0]);
     const Buffer readBack(device_, bytes, Buffer::Place::readBack);
-    copyOut(indices_, {{0, 0}, extent_}, readBack);
+    copyOut(indices_, readBack);
     std::memcpy(ksquads.indices.data(), readBack.mapped(), bytes);
     return ksquads;
 }
 
-std::uint32_t FrameTargets::ksquadAt(std::uint32_t x, std::uint32_t y) const
+FrameTargets::Pixel FrameTargets::pixelAt(std::uint32_t x, std::uint32_t y)
 {
-    copyOut(indices_, {{static_cast<int>(x), static_cast<int>(y)}, {1, 1}}, onePixel_);
-    std::uint32_t index = 0;
-    std::memcpy(&index, onePixel_.mapped(), sizeof(index));
-    return index;
+    const VkRect2D place{{static_cast<int>(x), static_cast<int>(y)}, {1, 1}};
+    device_.execute([&](VkCommandBuffer commands) {
+        // It stays so until the next frame, which starts it afresh.
+        depth_.transition(commands, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, kDepthTests,
+                          VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT, VK_PIPELINE_STAGE_2_TRANSFER_BIT,
+                          VK_ACCESS_2_TRANSFER_READ_BIT);
+        copyPart(commands, indices_, VK_IMAGE_ASPECT_COLOR_BIT, place, onePixel_.get(),
+                 offsetof(Pixel, ksquad));
+        copyPart(commands, depth_, VK_IMAGE_ASPECT_DEPTH_BIT, place, onePixel_.get(), offsetof(Pixel, depth));
+        showToHost(commands);
+    });
+    Pixel pixel;
+    std::memcpy(&pixel, onePixel_.mapped(), sizeof(pixel));
+    return pixel;
 }
 
-void FrameTargets::copyOut(const Image& image, VkRect2D region, const Buffer& to) const
+void FrameTargets::copyOut(const Image& image, const Buffer& to) const
 {
     device_.execute([&](VkCommandBuffer commands) {
-        VkBufferImageCopy copy{};
-        copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-        copy.imageOffset = {region.offset.x, region.offset.y, 0};
-        copy.imageExtent = {region.extent.width, region.extent.height, 1};
-        vkCmdCopyImageToBuffer(commands, image.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, to.get(), 1,
-                               &copy);
-        memoryBarrier(commands, VK_PIPELINE_STAGE_2_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
-                      VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT);
+        copyPart(commands, image, VK_IMAGE_ASPECT_COLOR_BIT, {{0, 0}, extent_}, to.get(), 0);
+        showToHost(commands);
     });
 }
 

@@ -25,12 +25,15 @@ public:
 
     [[nodiscard]] Picture read() const;
     [[nodiscard]] KsQuadIndices readKsQuads() const;
-    // The index + 1 of the KSQuad at a pixel; 0: the background.
-    [[nodiscard]] std::uint32_t ksquadAt(std::uint32_t x, std::uint32_t y) const;
+    struct Pixel {
+        std::uint32_t ksquad = 0;  // the index + 1; 0: the background
+        float depth = 0;           // of the middle of the pixel, as the projection gives it
+    };
+    [[nodiscard]] Pixel pixelAt(std::uint32_t x, std::uint32_t y);
 
 private:
     void start(VkCommandBuffer commands, bool fresh);
-    void copyOut(const Image& image, VkRect2D region, const Buffer& to) const;
+    void copyOut(const Image& image, const Buffer& to) const;
 
     const Device& device_;
     VkExtent2D extent_;

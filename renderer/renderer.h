@@ -40,9 +40,22 @@ struct PickedControlPoint {
     ObjectId object{};
     ControlPointIndex index;
 };
+struct PickedPlace {
+    ObjectId object{};
+    int spanU = 0;  // the KSQuad (model/geometry/ksquad.h)
+    int spanV = 0;
+    Vec3 position{0};  // in model space, as far off the surface as the picture is
+};
 struct Pick {
-    std::optional<PickedControlPoint> controlPoint;  // the nearest one of a shown net within the radius
-    std::optional<ObjectId> object;                  // the surface at the pixel
+    // The nearest one of a shown net within the radius; none of locked objects, nor where points do not show.
+    std::optional<PickedControlPoint> controlPoint;
+    double distancePx = 0;             // from there
+    std::optional<PickedPlace> place;  // of the surface at the pixel
+
+    [[nodiscard]] std::optional<ObjectId> object() const
+    {
+        return place ? std::optional(place->object) : std::nullopt;
+    }
 };
 
 // A vertex as a GPU stage computed it, for tests and measurements.

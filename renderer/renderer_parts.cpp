@@ -59,7 +59,10 @@ Renderer::Parts::Parts(std::unique_ptr<Instance> madeInstance, const RendererOpt
       wave(device, bindings, uploader),
       controlNet(device, bindings),
       rejectedOutlines(device, bindings),
-      edgeLines(device, bindings, uploader)
+      edgeLines(device, bindings, uploader),
+      normalLines(device, bindings),
+      marks(device, bindings, uploader),
+      strokes(device, bindings, uploader)
 {
     bindings.provide(BINDING_FRAME, frameBuffer_, sizeof(gpu::FrameRecord));
 }
@@ -67,16 +70,19 @@ Renderer::Parts::Parts(std::unique_ptr<Instance> madeInstance, const RendererOpt
 void Renderer::Parts::sync(const Scene& wanted, Joins joins)
 {
     const auto started = std::chrono::steady_clock::now();
+    const double worked = processorMs();
     wanted_ = wanted;
     noted_.reset();
-    largestDegree_ = largestDegree(visibleObjects(wanted_));
     if (!sceneIsHeld_)
         scene.forget();  // nobody knows how far the last one came
+    if (scene.residents().empty() || !scene.isOfSameShape(wanted_))
+        largestDegree_ = largestDegree(visibleObjects(wanted_));
     sceneIsHeld_ = false;
     scene.useEvaluator(chosenEvaluator(wish_, largestDegree_, Precision::float32));
     scene.sync(wanted_, joins);
     sceneIsHeld_ = true;
     syncMs_ += millisecondsSince(started);
+    work_.sync += processorMs() - worked;
 }
 
 Specialization Renderer::Parts::specializationFor(Evaluator evaluator) const
@@ -166,6 +172,7 @@ void Renderer::Parts::updateFrameRecord(const Frame& frame, SurfacePath& path, S
     record.flags = (frame.overlays.knotLines ? FRAME_KNOT_LINES : 0U) | (capture ? FRAME_CAPTURE : 0U) |
                    (frame.camera.orthographic ? FRAME_ORTHOGRAPHIC : 0U) |
                    (frame.shading == Shading::error ? FRAME_MEASURE_ERROR : 0U) | verdictFlag_;
+    record.isoCurves = static_cast<std::uint32_t>(std::max(frame.overlays.isoCurves, 0));
     record.captureCapacity = counters.captureCapacity();
     if (path.tiles() && path.tiles()->wholeGrids)
         record.flags |= FRAME_WHOLE_TILES;
@@ -199,6 +206,7 @@ FrameStats Renderer::Parts::draw(const Frame& wantedFrame, bool capture)
     VkDeviceSize uploaded = 0;
     cpuMs_ = 0;
     const auto started = std::chrono::steady_clock::now();
+    const double worked = processorMs();
     try {
         if (!sceneIsHeld_)
             sync(Scene(wanted_));
@@ -206,10 +214,10 @@ FrameStats Renderer::Parts::draw(const Frame& wantedFrame, bool capture)
         scene.usePacking(path.packing(), frame.overlays.showNets());
         fitTargets(frame);
         if (path.asksForFriends(rule))
-            scene.setFriends(friendSides.of(scene.residents()));
+            scene.setFriends(friendSides.of(scene.residents(), &scene.changes()));
         uploaded = noteVerdicts(frame, variant, path, rule, started);
         prepareCulling(frame, path);
-        edgeLines.prepare(frame.overlays.edgeLines, scene.residents(), specializationFor(scene.evaluator()));
+        prepareOverlays(frame.overlays);
         uploaded += drawWhole(frame, path, rule, capture, started);
     } catch (...) {
         // Nobody knows what arrived: the next frame sends everything again.
@@ -218,6 +226,8 @@ FrameStats Renderer::Parts::draw(const Frame& wantedFrame, bool capture)
         scene.forget();
         facing.forget();
         edgeLines.forget();
+        marks.forget();
+        strokes.forget();
         sceneIsHeld_ = false;
         frameRecord_.reset();
         lastFrame.reset();
@@ -225,13 +235,17 @@ FrameStats Renderer::Parts::draw(const Frame& wantedFrame, bool capture)
         throw;
     }
     lastFrame = frame;
-    lastObjects.clear();
-    lastFirstKsquads.clear();
-    for (const Resident& resident : scene.residents()) {
-        lastObjects.push_back(resident.id);
-        lastFirstKsquads.push_back(resident.firstKsquad);
-    }
-    return statsOf(frame, path, rule, uploaded);
+    const auto changed = scene.changes().since(std::exchange(lastResidentsAt_, scene.changes().now()));
+    if (changed && lastResidents.size() == scene.residents().size())
+        for (const std::uint32_t k : *changed)
+            lastResidents[k] = scene.residents()[k];
+    else
+        lastResidents = scene.residents();
+    FrameStats stats = statsOf(frame, path, rule, uploaded);
+    stats.work = std::exchange(work_, {});
+    stats.work.prepare = recordingFrom_ - worked;
+    stats.work.finish = processorMs() - recordedAt_;
+    return stats;
 }
 
 // What the culling modes read. A wave moves control points on the device, where nobody knows then which way
@@ -242,16 +256,22 @@ void Renderer::Parts::prepareCulling(Frame& frame, const SurfacePath& path)
         // What that one saw of a body has holes from anywhere else, so that both sides show.
         frame.culling.bits &= CULL_DICE;
         sides_ = ShownSides::asTold(scene.residents());
-        scene.updateViews(frame.camera, frame.overlays.highlighted, sides_);
+        scene.updateViews(frame.camera, {frame.overlays.highlighted, frame.overlays.hovered}, sides_);
         return;
     }
     if (!path.tiles())
         frame.culling.bits &= ~CULL_BY_DEPTH;  // it draws all at once
     if (frame.wave)
         frame.culling.bits &= ~(CULL_BY_BOX | CULL_BY_RAYS);
-    sides_ = frame.wave ? ShownSides::asTold(scene.residents())
-                        : shownSides.of(scene.residents(), scene.edges(), frame.camera,
-                                        static_cast<double>(frame.width) / frame.height, scene.bounds());
+    if (frame.wave) {
+        sides_ = ShownSides::asTold(scene.residents());
+    } else {
+        const SideTables& sides =
+            shownSides.of(scene.residents(), scene.edges(), frame.camera,
+                          static_cast<double>(frame.width) / frame.height, scene.bounds(), &scene.changes());
+        if (sides_.revision == 0 || sides_.revision != sides.revision)
+            sides_ = sides;
+    }
     FacingStrength strength = FacingStrength::none;
     if ((frame.culling.bits & CULL_BY_BOX) != 0)
         strength = FacingStrength::box;
@@ -261,8 +281,8 @@ void Renderer::Parts::prepareCulling(Frame& frame, const SurfacePath& path)
         facing.update(scene.residents(),
                       scene.packing() == Packing::bezier ? FacingArrays::Origins::bezierNets
                                                          : FacingArrays::Origins::surfaceNets,
-                      strength);
-    scene.updateViews(frame.camera, frame.overlays.highlighted, sides_);
+                      strength, scene.changes());
+    scene.updateViews(frame.camera, {frame.overlays.highlighted, frame.overlays.hovered}, sides_);
 }
 
 VkDeviceSize Renderer::Parts::drawWhole(const Frame& frame, SurfacePath& path, SamplingRule rule,
@@ -287,11 +307,14 @@ VkDeviceSize Renderer::Parts::drawWhole(const Frame& frame, SurfacePath& path, S
         if (frameRecord_->judgedBits != 0)
             wrongCulls.prepare(specializationFor(scene.evaluator()));
         device.execute([&](VkCommandBuffer commands) {
+            recordingFrom_ = processorMs();
             wave.recordRest(commands);
             uploaded += uploader.record(commands);
             wave.recordWave(commands);
             record(commands, frame, path);
             cpuMs_ = millisecondsSince(started) + std::exchange(syncMs_, 0);
+            recordedAt_ = processorMs();
+            work_.record = recordedAt_ - recordingFrom_;
         });
         uploader.sent();
         counted_ = counters.read();

@@ -10,7 +10,10 @@
 #include "renderer/frame_targets.h"
 #include "renderer/overlays/control_net.h"
 #include "renderer/overlays/edge_lines.h"
+#include "renderer/overlays/marks.h"
+#include "renderer/overlays/normal_lines.h"
 #include "renderer/overlays/rejected_outlines.h"
+#include "renderer/overlays/strokes.h"
 #include "renderer/paths/surface_path.h"
 #include "renderer/point_evaluation.h"
 #include "renderer/sampling/sampling_pass.h"
@@ -59,13 +62,15 @@ struct Renderer::Parts {
     ControlNet controlNet;
     RejectedOutlines rejectedOutlines;
     EdgeLines edgeLines;
+    NormalLines normalLines;
+    Marks marks;
+    Strokes strokes;
     std::map<std::pair<PathId, PathVariant>, std::unique_ptr<SurfacePath>>
         paths;  // made when first drawn with
     std::unique_ptr<FrameTargets> targets;
     // The last frame that was drawn whole, and the objects whose KSQuads its indices stand for.
     std::optional<Frame> lastFrame;
-    std::vector<ObjectId> lastObjects;
-    std::vector<std::uint32_t> lastFirstKsquads;  // of each
+    std::vector<Resident> lastResidents;
     bool deviceLost = false;
 
 private:
@@ -91,10 +96,13 @@ private:
     VkDeviceSize drawWhole(const Frame& frame, SurfacePath& path, SamplingRule rule, bool capture,
                            std::chrono::steady_clock::time_point started);
     void record(VkCommandBuffer commands, const Frame& frame, const SurfacePath& path);
+    void prepareOverlays(const Overlays& overlays);
     void drawOverlays(VkCommandBuffer commands, const Overlays& overlays) const;
+    // The objects on the device whose nets are shown.
+    [[nodiscard]] std::vector<const Resident*> shownNets(const Overlays& overlays) const;
     [[nodiscard]] std::vector<CapturedVertex> named(const std::vector<gpu::CapturedRecord>& records) const;
-    [[nodiscard]] std::optional<PickedControlPoint> nearestControlPoint(const Vec2& pixel,
-                                                                        double radiusPx) const;
+    void pickControlPoint(const Vec2& pixel, double radiusPx, Pick& to) const;
+    [[nodiscard]] std::optional<PickedPlace> pickedPlace(const Vec2& pixel) const;
 
     Buffer frameBuffer_;
     std::optional<gpu::FrameRecord> frameRecord_;  // what the device holds
@@ -118,8 +126,12 @@ private:
     // Of the last frame.
     gpu::Counters counted_{};
     SideTables sides_;
-    double cpuMs_ = 0;   // preparing and recording, with the syncs since the frame before
-    double syncMs_ = 0;  // of syncs since the last frame
+    double cpuMs_ = 0;          // preparing and recording, with the syncs since the frame before
+    double syncMs_ = 0;         // of syncs since the last frame
+    FrameWork work_;            // likewise
+    double recordingFrom_ = 0;  // processorMs() before and after the last commands
+    double recordedAt_ = 0;
+    ResidentChanges::Moment lastResidentsAt_ = 0;
 };
 
 // The culling modes whose wrong decisions are counted.

@@ -1,4 +1,6 @@
 // The commands of one frame.
+#include <algorithm>
+
 #include "renderer/renderer_parts.h"
 
 namespace knotspan {
@@ -53,26 +55,47 @@ void Renderer::Parts::record(VkCommandBuffer commands, const Frame& frame, const
     counters.fetch(commands);
 }
 
+void Renderer::Parts::prepareOverlays(const Overlays& overlays)
+{
+    const Specialization specialization = specializationFor(scene.evaluator());
+    edgeLines.prepare(overlays.edgeLines, overlays.isoLines, scene.residents(), specialization);
+    marks.prepare(overlays.marks, scene.residents());
+    strokes.prepare(overlays.strokes);
+    if (overlays.normals)
+        normalLines.prepare(specialization);
+}
+
+// What was prepared may be of another frame than one that shows none of it.
 void Renderer::Parts::drawOverlays(VkCommandBuffer commands, const Overlays& overlays) const
 {
-    if (!overlays.edgeLines.empty())
+    if (overlays.normals && scene.ksquadCount() > 0)
+        normalLines.draw(commands, scene.ksquadCount());
+    if (!overlays.edgeLines.empty() || !overlays.isoLines.empty())
         edgeLines.draw(commands);
+    for (const Resident* resident : shownNets(overlays))
+        controlNet.draw(commands, scene.indexOf(*resident), resident->object->surface,
+                        {overlays.points, overlays.hulls});
+    if (!overlays.marks.empty())
+        marks.draw(commands);
+    if (!overlays.strokes.empty())
+        strokes.draw(commands);
+}
+
+std::vector<const Resident*> Renderer::Parts::shownNets(const Overlays& overlays) const
+{
+    std::vector<const Resident*> shown;
+    const auto add = [&](const Resident& resident) {
+        if (!resident.object->locked)
+            shown.push_back(&resident);
+    };
     if (overlays.controlNets) {
-        for (const Resident& resident : scene.residents())
-            controlNet.drawNet(commands, scene.indexOf(resident), resident.object->surface);
+        std::for_each(scene.residents().begin(), scene.residents().end(), add);
     } else {
         for (const ObjectId id : overlays.netsOf)
             if (const auto* resident = scene.find(id))
-                controlNet.drawNet(commands, scene.indexOf(*resident), resident->object->surface);
+                add(*resident);
     }
-    for (const ControlPointMark& mark : overlays.marks)
-        if (const auto* resident = scene.find(mark.object)) {
-            const NurbsSurface& net = resident->object->surface;
-            const auto [i, j] = mark.index;
-            if (i >= 0 && i < net.countU() && j >= 0 && j < net.countV())
-                controlNet.drawMark(commands, scene.indexOf(*resident),
-                                    static_cast<std::uint32_t>(i * net.countV() + j), mark.selected);
-        }
+    return shown;
 }
 
 }  // namespace knotspan

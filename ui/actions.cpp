@@ -10,8 +10,8 @@ const std::vector<ActionInfo>& actionList()
 {
     static const std::vector<ActionInfo> kList = [] {
         std::vector<ActionInfo> list;
-        for (const auto* part : {&fileActions(), &editActions(), &pointActions(), &objectActions(),
-                                 &viewActions(), &helpActions()})
+        for (const auto* part : {&fileActions(), &editActions(), &toolActions(), &pointActions(),
+                                 &objectActions(), &viewActions(), &helpActions()})
             list.insert(list.end(), part->begin(), part->end());
         return list;
     }();
@@ -26,13 +26,18 @@ QString translatedAction(const char* text)
 const std::vector<MouseInfo>& mouseList()
 {
     static const std::vector<MouseInfo> kList = {
-        {TEXT("Left click"), TEXT("Select the object under the cursor; on nothing: deselect")},
+        {TEXT("Left click"), TEXT("Select what lights up under the cursor; on nothing: deselect")},
         {TEXT("Shift + click, Ctrl + click"),
          TEXT("Add an object or a control point to the selection; take it in or out")},
-        {TEXT("Left drag on a control point"),
-         TEXT("Move it, or all selected ones, as the panel Dragging says; with Shift held by a tenth; Escape "
-              "takes it back")},
-        {TEXT("Left drag elsewhere, middle drag, Alt + left drag"), TEXT("Orbit")},
+        {TEXT("Left drag on a control point"), TEXT("Move it, or all selected ones, as the panel Tool "
+                                                    "settings says; with Shift held by a tenth; Escape "
+                                                    "takes it back")},
+        {TEXT("Left drag on a handle"), TEXT("Move, turn or scale what is selected that way")},
+        {TEXT("X, Y, Z, U, V, N during a drag"), TEXT("Keep to that axis; once more: go freely again")},
+        {TEXT("Digits during a drag"),
+         TEXT("Type how far, or after = to where; Enter takes it, Backspace goes back")},
+        {TEXT("Left drag elsewhere, middle drag, Alt + left drag"),
+         TEXT("Orbit; boxes and lassos leave it to the last two")},
         {TEXT("Right drag, Shift + middle drag"), TEXT("Pan")},
         {TEXT("Wheel, Ctrl + middle drag"), TEXT("Zoom at the cursor")},
         {TEXT("Drop files"), TEXT("Open the first, add the others")},

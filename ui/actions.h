@@ -30,6 +30,7 @@ struct ActionInfo {
 // Its parts.
 [[nodiscard]] const std::vector<ActionInfo>& fileActions();
 [[nodiscard]] const std::vector<ActionInfo>& editActions();
+[[nodiscard]] const std::vector<ActionInfo>& toolActions();
 [[nodiscard]] const std::vector<ActionInfo>& pointActions();
 [[nodiscard]] const std::vector<ActionInfo>& objectActions();
 [[nodiscard]] const std::vector<ActionInfo>& viewActions();

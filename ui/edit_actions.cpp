@@ -1,11 +1,11 @@
 // The menu Edit.
-#include <QSettings>
 #include <QStatusBar>
 
 #include "ui/action_rows.h"
 #include "ui/match_dialog.h"
 #include "ui/panels/friends_panel.h"
 #include "ui/refine_dialog.h"
+#include "ui/tool_settings_store.h"
 
 namespace knotspan {
 
@@ -27,11 +27,11 @@ void escape(Window& window)
 
 void selectAll(Window& window)
 {
-    std::set<ObjectId> visible;
+    std::set<ObjectId> shown;
     for (const auto& [id, object] : window.document().scene().objects())
-        if (object->visible)
-            visible.insert(id);
-    window.selection().setObjects(std::move(visible));
+        if (object->visible && !object->locked)
+            shown.insert(id);
+    window.selection().setObjects(std::move(shown));
 }
 
 void deleteSelected(Window& window)
@@ -50,7 +50,7 @@ void keepFriends(Window& window, bool keep)
     ToolSettings settings = window.viewport().toolSettings();
     settings.keepFriends = keep;
     window.viewport().setToolSettings(settings);
-    QSettings().setValue("keepFriends", keep);
+    storeToolSettings(settings);
     window.statusBar()->showMessage(
         keep ? MainWindow::tr(
                    "Keep friends is on: where surfaces meet smoothly, both sides of the edge follow "
@@ -131,7 +131,7 @@ const std::vector<ActionInfo>& editActions()
         {.id = "edit.selectAll",
          .text = TEXT("Select a&ll"),
          .shortcuts = {QKeySequence::SelectAll},
-         .tip = TEXT("Select every visible object"),
+         .tip = TEXT("Select every object that is visible and not locked"),
          .run = [](Window& w, bool) { selectAll(w); },
          .separated = true},
         {.id = "edit.deselect",

@@ -14,6 +14,7 @@
 
 #include "ui/document_files.h"
 #include "ui/message_bar.h"
+#include "ui/tool_settings_store.h"
 
 namespace knotspan {
 namespace fs = std::filesystem;
@@ -58,6 +59,7 @@ MainWindow::MainWindow(Questions questions)
     connect(&shownFriends_, &ShownFriends::changed, this, &MainWindow::showActionStates);
     connect(viewport_, &Viewport::frameChanged, this, &MainWindow::showActionStates);
     connect(viewport_, &Viewport::toolSettingsChanged, this, &MainWindow::showActionStates);
+    connect(viewport_, &Viewport::toolChanged, this, &MainWindow::showActionStates);
     showTitle();
     showActionStates();
 }
@@ -112,6 +114,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
     QSettings settings;
     settings.setValue("geometry", saveGeometry());
     settings.setValue("layout", saveState());
+    storeToolSettings(viewport_->toolSettings());
     event->accept();
 }
 

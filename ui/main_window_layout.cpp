@@ -15,6 +15,8 @@
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
 #include "ui/panel_list.h"
+#include "ui/tool_settings_store.h"
+#include "ui/tools/tool_list.h"
 
 namespace knotspan {
 
@@ -88,7 +90,7 @@ void MainWindow::makePanels()
 void MainWindow::makeMenus()
 {
     const std::vector<std::pair<std::string_view, QString>> titles = {
-        {"file", tr("&File")},     {"edit", tr("&Edit")}, {"points", tr("&Points")},
+        {"file", tr("&File")},     {"edit", tr("&Edit")}, {"tools", tr("&Tools")}, {"points", tr("&Points")},
         {"object", tr("&Object")}, {"view", tr("&View")}, {"help", tr("&Help")}};
     for (const auto& [menuName, title] : titles) {
         QMenu& menu = *menuBar()->addMenu(title);
@@ -121,6 +123,7 @@ void MainWindow::makeToolBar()
     const std::vector<std::vector<const char*>> groups = {
         {"file.open", "file.save"},
         {"edit.undo", "edit.redo"},
+        {"tools.select", "tools.box", "tools.weight", "tools.knot", "tools.grab", "tools.smooth"},
         {"edit.keepFriends", "edit.matchEdge"},
         {"view.fit", "view.iso", "view.front", "view.right", "view.top"},
         {"view.orthographic", "view.nets", "view.knots", "view.friends"}};
@@ -134,12 +137,17 @@ void MainWindow::makeToolBar()
 
 void MainWindow::makeStatusBar()
 {
-    auto* hint =
-        new QLabel(tr("Click a surface to see its control points (N: of all), drag one to pull the surface. "
-                      "Left drag elsewhere turns the view, H lists the keys."));
+    auto* hint = new QLabel;
     hint->setObjectName("hint");
     hint->setContentsMargins(6, 0, 6, 0);
-    hint->setToolTip(hint->text());
+    const auto showHint = [this, hint] {
+        for (const ToolInfo& tool : tools())
+            if (tool.name == viewport_->tool())
+                hint->setText(translatedAction(tool.hint));
+        hint->setToolTip(hint->text());
+    };
+    showHint();
+    connect(viewport_, &Viewport::toolChanged, hint, showHint);
     hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // a narrow window cuts it off
     statusBar()->addWidget(hint, 1);
     frameLine_ = new QLabel;
@@ -191,9 +199,7 @@ void MainWindow::restoreLayout()
     const QSettings settings;
     restoreGeometry(settings.value("geometry").toByteArray());
     restoreState(settings.value("layout").toByteArray());
-    ToolSettings tools = viewport_->toolSettings();
-    tools.keepFriends = settings.value("keepFriends", false).toBool();
-    viewport_->setToolSettings(tools);
+    viewport_->setToolSettings(storedToolSettings());
     shownFriends_.showLines(settings.value("friendEdges", false).toBool());
 }
 

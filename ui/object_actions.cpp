@@ -40,6 +40,75 @@ void tell(Window& window, Sides sides, const QString& step)
         window.document().apply(edit, step);
 }
 
+// Each object for which `wanted` says something else than what it is.
+template <class Wanted>
+void tellEach(Window& window, bool SceneObject::*what, const Wanted& wanted, const QString& step)
+{
+    window.document().endPreview();
+    Edit edit;
+    for (const auto& [id, object] : window.document().scene().objects()) {
+        const bool value = wanted(id, *object);
+        if ((*object).*what == value)
+            continue;
+        auto changed = std::make_shared<SceneObject>(*object);
+        (*changed).*what = value;
+        edit.set(id, std::move(changed));
+    }
+    if (!edit.isEmpty())
+        window.document().apply(edit, step);
+}
+
+void hideSelected(Window& window)
+{
+    const std::set<ObjectId> chosen = window.selection().objects();
+    tellEach(
+        window, &SceneObject::visible,
+        [&](ObjectId id, const SceneObject& object) { return object.visible && chosen.count(id) == 0; },
+        MainWindow::tr("Hide"));
+    window.selection().clear();
+}
+
+void isolateSelected(Window& window)
+{
+    tellEach(
+        window, &SceneObject::visible,
+        [&](ObjectId id, const SceneObject&) { return window.selection().contains(id); },
+        MainWindow::tr("Isolate"));
+}
+
+void showAll(Window& window)
+{
+    tellEach(
+        window, &SceneObject::visible, [](ObjectId, const SceneObject&) { return true; },
+        MainWindow::tr("Show all"));
+}
+
+void lockSelected(Window& window)
+{
+    const std::set<ObjectId> chosen = window.selection().objects();
+    tellEach(
+        window, &SceneObject::locked,
+        [&](ObjectId id, const SceneObject& object) { return object.locked || chosen.count(id) != 0; },
+        MainWindow::tr("Lock"));
+}
+
+void unlockAll(Window& window)
+{
+    tellEach(
+        window, &SceneObject::locked, [](ObjectId, const SceneObject&) { return false; },
+        MainWindow::tr("Unlock all"));
+}
+
+bool anyHidden(Window& window)
+{
+    return window.document().objectCounts().hidden() > 0;
+}
+
+bool anyLocked(Window& window)
+{
+    return window.document().objectCounts().locked() > 0;
+}
+
 // In place, as in Rhino: the copies are selected, to be moved away.
 void duplicateSelected(Window& window)
 {
@@ -99,6 +168,37 @@ const std::vector<ActionInfo>& objectActions()
          .shortcuts = {QKeySequence("Ctrl+T")},
          .tip = TEXT("Move, turn and scale the selected objects by numbers, and see it first"),
          .run = [](Window& w, bool) { bringUp<TransformDialog>(w); }},
+        {.id = "object.hide",
+         .text = TEXT("&Hide"),
+         .shortcuts = {QKeySequence("Shift+H")},
+         .tip = TEXT("Hide the selected objects"),
+         .run = [](Window& w, bool) { hideSelected(w); },
+         .isEnabled = hasSelection,
+         .separated = true},
+        {.id = "object.isolate",
+         .text = TEXT("&Isolate"),
+         .shortcuts = {QKeySequence("Shift+I")},
+         .tip = TEXT("Show the selected objects and hide all others"),
+         .run = [](Window& w, bool) { isolateSelected(w); },
+         .isEnabled = hasSelection},
+        {.id = "object.showAll",
+         .text = TEXT("Sho&w all"),
+         .shortcuts = {QKeySequence("Alt+H")},
+         .tip = TEXT("Show every object again"),
+         .run = [](Window& w, bool) { showAll(w); },
+         .isEnabled = anyHidden},
+        {.id = "object.lock",
+         .text = TEXT("&Lock"),
+         .shortcuts = {QKeySequence("Ctrl+L")},
+         .tip = TEXT("Keep the selected objects as they are: they show, but no tool takes them"),
+         .run = [](Window& w, bool) { lockSelected(w); },
+         .isEnabled = hasSelection},
+        {.id = "object.unlockAll",
+         .text = TEXT("U&nlock all"),
+         .shortcuts = {QKeySequence("Ctrl+Shift+L")},
+         .tip = TEXT("Let tools take every object again"),
+         .run = [](Window& w, bool) { unlockAll(w); },
+         .isEnabled = anyLocked},
         {.id = "object.sidesAutomatic",
          .text = TEXT("&Automatic sides"),
          .shortcuts = {},

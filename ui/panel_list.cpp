@@ -56,7 +56,7 @@ const std::vector<PanelInfo>& panelList()
         {"rendering-dock", TITLE("Rendering"), Qt::RightDockWidgetArea, makeRendering},
         {"friends-dock", TITLE("Friends"), Qt::LeftDockWidgetArea, makeFriends, "Ctrl+F", true,
          "objects-dock"},
-        {"tool-dock", TITLE("Dragging"), Qt::LeftDockWidgetArea, makeTool, "D", true, "friends-dock"},
+        {"tool-dock", TITLE("Tool settings"), Qt::LeftDockWidgetArea, makeTool, "D", true, "friends-dock"},
         {"history-dock", TITLE("History"), Qt::LeftDockWidgetArea, makeHistory, "Ctrl+H", true, "tool-dock"},
         {"stats-dock", TITLE("Statistics"), Qt::RightDockWidgetArea, makeStats},
     };

@@ -112,7 +112,10 @@ Making PointsDialog::moving(const PointSelection& chosen) const
     making.edit = *std::move(edit);
     making.step = count == 1 ? tr("Move control point") : tr("Move %1 control points").arg(count);
     const size_t moving = drag->moving().size();
-    making.told = tr("Moves %1 selected control points; %2 follow.").arg(count).arg(moving - all.size());
+    const QString moved = count == 1 ? tr("Moves the selected control point")
+                                     : tr("Moves the %1 selected control points").arg(count);
+    const size_t following = moving - all.size();
+    making.told = following == 0 ? tr("%1.").arg(moved) : tr("%1; %2 follow.").arg(moved).arg(following);
     return making;
 }
 
@@ -124,7 +127,9 @@ Making PointsDialog::weighing(const PointSelection& chosen) const
     Making making;
     making.edit = *std::move(edit);
     making.step = tr("Set weights");
-    making.told = tr("Sets the weight of the selected control points: %1.").arg(chosen.size());
+    making.told = chosen.size() == 1
+                      ? tr("Sets the weight of the selected control point.")
+                      : tr("Sets the weights of the %1 selected control points.").arg(chosen.size());
     return making;
 }
 

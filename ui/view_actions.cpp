@@ -5,6 +5,7 @@
 
 #include "ui/action_rows.h"
 #include "ui/speed_dialog.h"
+#include "ui/tool_settings_store.h"
 
 namespace knotspan {
 
@@ -47,6 +48,14 @@ void showFriends(Window& window, bool on)
 {
     window.shownFriends().showLines(on);
     QSettings().setValue("friendEdges", on);
+}
+
+void setLoosening(Window& window, bool on)
+{
+    ToolSettings settings = window.viewport().toolSettings();
+    settings.loosen = on;
+    window.viewport().setToolSettings(settings);
+    storeToolSettings(settings);
 }
 
 void showSpeed(Window& window)
@@ -117,7 +126,7 @@ const std::vector<ActionInfo>& viewActions()
          .isChecked = [](Window& w) { return w.viewport().frame().camera.orthographic; },
          .separated = true},
         {.id = "view.nets",
-         .text = TEXT("Control &nets"),
+         .text = TEXT("All control &nets"),
          .shortcuts = {QKeySequence("N")},
          .tip = TEXT("Show the control points of every object, not only of the selected ones"),
          .run = [](Window& w,
@@ -130,6 +139,31 @@ const std::vector<ActionInfo>& viewActions()
          .tip = TEXT("Show where the surfaces' spans meet"),
          .run = [](Window& w, bool on) { change(w, [on](Frame& frame) { frame.overlays.knotLines = on; }); },
          .isChecked = [](Window& w) { return w.viewport().frame().overlays.knotLines; }},
+        {.id = "view.points",
+         .text = TEXT("Control &points"),
+         .shortcuts = {QKeySequence("P")},
+         .tip = TEXT("Show the points of control nets; without, none can be taken"),
+         .run = [](Window& w, bool on) { change(w, [on](Frame& frame) { frame.overlays.points = on; }); },
+         .isChecked = [](Window& w) { return w.viewport().frame().overlays.points; }},
+        {.id = "view.hulls",
+         .text = TEXT("&Hulls"),
+         .shortcuts = {QKeySequence("Shift+N")},
+         .tip = TEXT("Show the lines of control nets"),
+         .run = [](Window& w, bool on) { change(w, [on](Frame& frame) { frame.overlays.hulls = on; }); },
+         .isChecked = [](Window& w) { return w.viewport().frame().overlays.hulls; }},
+        {.id = "view.isoCurves",
+         .text = TEXT("Iso-&curves"),
+         .shortcuts = {QKeySequence("C")},
+         .tip = TEXT("Show lines of equal parameters, four to a span"),
+         .run = [](Window& w,
+                   bool on) { change(w, [on](Frame& frame) { frame.overlays.isoCurves = on ? 4 : 0; }); },
+         .isChecked = [](Window& w) { return w.viewport().frame().overlays.isoCurves > 0; }},
+        {.id = "view.normals",
+         .text = TEXT("Nor&mals"),
+         .shortcuts = {QKeySequence("Shift+V")},
+         .tip = TEXT("Show which way the front of every span points"),
+         .run = [](Window& w, bool on) { change(w, [on](Frame& frame) { frame.overlays.normals = on; }); },
+         .isChecked = [](Window& w) { return w.viewport().frame().overlays.normals; }},
         {.id = "view.friends",
          .text = TEXT("Friend &edges"),
          .shortcuts = {QKeySequence("E")},
@@ -142,6 +176,12 @@ const std::vector<ActionInfo>& viewActions()
          .tip = TEXT("Draw what was seen from here while the view moves on, and outline what was culled"),
          .run = [](Window& w, bool on) { freezeCulling(w, on); },
          .isChecked = [](Window& w) { return w.viewport().frame().cullingCamera.has_value(); }},
+        {.id = "view.loosen",
+         .text = TEXT("&Loosen while moving"),
+         .shortcuts = {QKeySequence("Shift+L")},
+         .tip = TEXT("While the hand moves, let the tolerance loosen so far that 60 pictures a second come"),
+         .run = [](Window& w, bool on) { setLoosening(w, on); },
+         .isChecked = [](Window& w) { return w.viewport().toolSettings().loosen; }},
         {.id = "view.moreCells",
          .text = TEXT("&More cells"),
          .shortcuts = {QKeySequence("+")},

@@ -1,6 +1,8 @@
 #include "model/analysis/coincident_edges.h"
 
+#include <atomic>
 #include <numeric>
+#include <utility>
 
 #include "model/analysis/bezier_curves.h"
 #include "model/core/check.h"
@@ -33,6 +35,12 @@ double toleranceOf(const PlacedSurface& placed)
     return std::ldexp(1.0, std::ilogb(extent) - 21);
 }
 
+std::uint64_t newRevision()
+{
+    static std::atomic<std::uint64_t> last{0};
+    return ++last;
+}
+
 bool isPoint(const BezierNet& curve, double tolerance)
 {
     const Vec3 first = pointOf(curve.points[0]);
@@ -43,7 +51,8 @@ bool isPoint(const BezierNet& curve, double tolerance)
 }  // namespace
 
 CoincidentEdges::CoincidentEdges(const std::vector<PlacedSurface>& surfaces)
-    : numbers_(borderNumbers(surfaces)),
+    : revision_(newRevision()),
+      numbers_(borderNumbers(surfaces)),
       tolerances_(surfaces.size(), -1.0)
 {
     const size_t count = numbers_.empty() ? 0 : numbers_.back().firstBorder + numbers_.back().borderCount();
@@ -91,7 +100,9 @@ void CoincidentEdges::setSurface(std::uint32_t index, const PlacedSurface& place
             continue;
         moved.sides.push_back(number);
         side.curve = std::move(curves[k]);
-        side.collapsed = isPoint(side.curve, tolerance);
+        const bool collapsed = isPoint(side.curve, tolerance);
+        const bool wasCollapsed = std::exchange(side.collapsed, collapsed);
+        moved.poles = moved.poles || collapsed != wasCollapsed;
     }
     tolerances_[index] = tolerance;
     // Of the two sides at a corner the first one says where it is.
@@ -116,6 +127,10 @@ void CoincidentEdges::findAll()
     for (BorderSide& side : sides_)
         side.inGrid = false;
     placeInGrid(all);
+    std::vector<Box> boxes;
+    for (const std::uint32_t corner : all)
+        boxes.push_back(boxOfCorner(corner));
+    cornerBoxes_ = Totals<Box>(boxes);
     findHits({}, all);
     findOverlaps(all);
     joinEdges(all);
@@ -128,13 +143,18 @@ bool CoincidentEdges::update(const std::vector<Change>& changes)
         setSurface(change.index, change.placed, moved);
     if (moved.sides.empty() && moved.corners.empty())
         return false;
+    const std::uint64_t before = std::exchange(revision_, newRevision());
     const double widest = *std::max_element(tolerances_.begin(), tolerances_.end());
     if (widest != widest_ || moved.sides.size() > sides_.size() / 4) {
+        moves_.clear();
+        touched_ = {};
         moveAll(moved, widest);
         return true;
     }
     placeInGrid(moved.sides);
     const Indices corners = corners_.move(moved.corners);
+    for (const auto& [corner, place] : moved.corners)
+        cornerBoxes_.set(corner, boxOfCorner(corner));
     sortUnique(moved.sides);
     Indices sides = moved.sides;
     const auto include = [&](const Indices& more) { sides.insert(sides.end(), more.begin(), more.end()); };
@@ -146,8 +166,39 @@ bool CoincidentEdges::update(const std::vector<Change>& changes)
     Indices affected = connected(sides);
     dropOverlaps(sides);
     findOverlaps(sides);
-    joinEdges(connected(std::move(affected)));
+    affected = connected(std::move(affected));
+    const bool joined = joinEdges(affected);
+    touched_ = {false, std::move(affected), corners};
+    if (joined || moved.poles)
+        moves_.clear();
+    else
+        noteMove(before, touched_.sides);
     return true;
+}
+
+void CoincidentEdges::noteMove(std::uint64_t before, const Indices& sides)
+{
+    constexpr size_t kMost = 64;
+    if (moves_.size() == kMost)
+        moves_.pop_front();
+    Indices surfaces;
+    for (const std::uint32_t side : sides)
+        surfaces.push_back(sides_[side].surface);
+    sortUnique(surfaces);
+    moves_.push_back({before, std::move(surfaces)});
+}
+
+std::optional<Indices> CoincidentEdges::onlyMovedSince(std::uint64_t revision) const
+{
+    Indices surfaces;
+    if (revision == revision_)
+        return surfaces;
+    for (auto move = moves_.rbegin(); move != moves_.rend(); ++move) {
+        surfaces.insert(surfaces.end(), move->surfaces.begin(), move->surfaces.end());
+        if (move->before == revision)
+            return surfaces;
+    }
+    return std::nullopt;
 }
 
 void CoincidentEdges::moveAll(const Moved& moved, double widest)
@@ -202,10 +253,27 @@ void CoincidentEdges::findHits(const Indices& sides, const Indices& corners)
 {
     for (const std::uint32_t corner : corners)
         grid_.near(corners_.place(corner).at, [&](std::uint32_t side) { lookFor(corner, side); });
-    for (const std::uint32_t side : sides)
-        for (std::uint32_t corner = 0; corner < corners_.count(); ++corner)
-            if (!std::binary_search(corners.begin(), corners.end(), corner))
+    for (const std::uint32_t side : sides) {
+        const Box reach = reachOf(side);
+        const auto meets = [&](const Box& box) {
+            for (int axis = 0; axis < 3; ++axis)
+                if (box.low[axis] > reach.high[axis] || box.high[axis] < reach.low[axis])
+                    return false;
+            return true;
+        };
+        cornerBoxes_.visitWhere(meets, [&](size_t index) {
+            const auto corner = static_cast<std::uint32_t>(index);
+            if (index < corners_.count() && !std::binary_search(corners.begin(), corners.end(), corner))
                 lookFor(corner, side);
+        });
+    }
+}
+
+// Both it and a side's reach are as wide as any tolerance, so that rounding leaves nobody out.
+Box CoincidentEdges::boxOfCorner(std::uint32_t corner) const
+{
+    const Vec3& at = corners_.place(corner).at;
+    return {at - Vec3(widest_), at + Vec3(widest_)};
 }
 
 // Notes where the corner lies on the side, if it does and is not one of its ends.

@@ -9,11 +9,14 @@
 // numbered as in border_curves.h.
 #pragma once
 
+#include <deque>
 #include <memory>
+#include <optional>
 
 #include "model/analysis/border_curves.h"
 #include "model/analysis/corner_groups.h"
 #include "model/analysis/edge_forming.h"
+#include "model/core/totals.h"
 
 namespace knotspan {
 
@@ -25,6 +28,20 @@ public:
     // Looks again only at borders that moved and at what they met or meet now. The result is as if all were
     // made anew, to the bit. False: no border moved.
     bool update(const std::vector<Change>& changes);
+    // Another one after each update that moved a border; no other edges have the same.
+    [[nodiscard]] std::uint64_t revision() const { return revision_; }
+
+    // What that update may have changed.
+    struct Touched {
+        bool all = true;
+        std::vector<std::uint32_t> sides;    // the edges along them, or that they are poles
+        std::vector<std::uint32_t> corners;  // who owns them, or where they are
+    };
+    [[nodiscard]] const Touched& touched() const { return touched_; }
+    // Where since that revision borders moved and all sides and corners are joined as they were: the surfaces
+    // at whose borders something moved, perhaps several times each. Nothing: joined otherwise, or nobody
+    // knows.
+    [[nodiscard]] std::optional<std::vector<std::uint32_t>> onlyMovedSince(std::uint64_t revision) const;
 
     [[nodiscard]] const std::vector<BorderNumbers>& numbers() const { return numbers_; }
     [[nodiscard]] std::uint32_t sideCount() const { return static_cast<std::uint32_t>(sides_.size()); }
@@ -56,6 +73,7 @@ private:
     struct Moved {
         std::vector<std::uint32_t> sides;
         CornerGroups::Moves corners;
+        bool poles = false;  // some side is one now, or is one no more
     };
 
     void setSurface(std::uint32_t index, const PlacedSurface& placed, Moved& moved);
@@ -68,7 +86,9 @@ private:
     void dropOverlaps(const std::vector<std::uint32_t>& sides);
     void findOverlaps(const std::vector<std::uint32_t>& sides);
     void compare(std::uint32_t a, std::uint32_t b);
-    void joinEdges(const std::vector<std::uint32_t>& sides);
+    // False: all are joined as they were.
+    bool joinEdges(const std::vector<std::uint32_t>& sides);
+    [[nodiscard]] Box boxOfCorner(std::uint32_t corner) const;
 
     [[nodiscard]] Box reachOf(std::uint32_t side) const;
     [[nodiscard]] std::vector<OnSide> cornersOn(std::uint32_t side) const;
@@ -76,6 +96,18 @@ private:
     [[nodiscard]] std::vector<std::uint32_t> sidesAt(const std::vector<std::uint32_t>& corners) const;
     [[nodiscard]] std::vector<std::uint32_t> connected(std::vector<std::uint32_t> sides) const;
 
+    // An update that joined nothing otherwise.
+    struct Move {
+        std::uint64_t before = 0;  // the revision
+        std::vector<std::uint32_t> surfaces;
+    };
+
+    void noteMove(std::uint64_t before, const std::vector<std::uint32_t>& sides);
+
+    std::uint64_t revision_ = 0;
+    Touched touched_;
+    std::deque<Move> moves_;
+    Totals<Box> cornerBoxes_;
     std::vector<BorderNumbers> numbers_;
     std::vector<double> tolerances_;  // by surface
     double widest_ = 0;               // of them

@@ -11,27 +11,68 @@
 
 namespace knotspan {
 
+void ShellMesh::Reach::add(const Reach& other)
+{
+    box.add(other.box);
+    widest = std::max(widest, other.widest);
+    apart = std::max(apart, other.apart);
+}
+
 ShellMesh::ShellMesh(const std::vector<Member>& members, const CoincidentEdges& edges)
 {
-    double widest = 0;
-    double moved = 0;
+    std::vector<Reach> reaches;
     for (const Member& member : members) {
-        const BorderNumbers& numbers = edges.numbers()[member.surface];
-        const Box& box = member.part->box();
-        const Vec3 size = box.size();
-        box_.add(box);
-        widest = std::max({widest, size.x, size.y, size.z});
-        const CornerGroups& corners = edges.corners();
-        for (std::uint32_t k = 0; k < numbers.borderCount(); ++k) {
-            const std::uint32_t corner = numbers.firstBorder + k;
-            moved = std::max(
-                moved, glm::distance(corners.place(corner).at, corners.place(corners.ownerOf(corner)).at));
-        }
-        placed_.push_back({member.part, borderOf(member.surface, edges), member.turned});
+        reaches.push_back(reachOf(member, edges));
+        placed_.push_back(placedAs(member, edges));
     }
-    // Twice the tolerance of CoincidentEdges.
-    margin_ = std::ldexp(widest, -20) + moved;
-    box_ = {box_.low - Vec3(margin_), box_.high + Vec3(margin_)};
+    reaches_ = Totals<Reach>(reaches);
+}
+
+void ShellMesh::replace(size_t k, const Member& member, const CoincidentEdges& edges)
+{
+    placed_[k] = placedAs(member, edges);
+    reaches_.set(k, reachOf(member, edges));
+    if (look_)
+        replaced_.push_back(k);
+}
+
+ShellMesh::Placed ShellMesh::placedAs(const Member& member, const CoincidentEdges& edges)
+{
+    return {member.part, borderOf(member.surface, edges), member.turned};
+}
+
+ShellMesh::Reach ShellMesh::reachOf(const Member& member, const CoincidentEdges& edges)
+{
+    const Vec3 size = member.part->box().size();
+    Reach reach{member.part->box(), std::max({size.x, size.y, size.z}), 0};
+    const BorderNumbers& numbers = edges.numbers()[member.surface];
+    const CornerGroups& corners = edges.corners();
+    for (std::uint32_t k = 0; k < numbers.borderCount(); ++k) {
+        const std::uint32_t corner = numbers.firstBorder + k;
+        reach.apart = std::max(
+            reach.apart, glm::distance(corners.place(corner).at, corners.place(corners.ownerOf(corner)).at));
+    }
+    return reach;
+}
+
+// Twice the tolerance of CoincidentEdges.
+double ShellMesh::margin() const
+{
+    const Reach all = reaches_.all();
+    return std::ldexp(all.widest, -20) + all.apart;
+}
+
+// No less, and the same while the body's largest part grows a little.
+double ShellMesh::proofMargin() const
+{
+    const double margin = this->margin();
+    return margin > 0 ? std::ldexp(1.0, std::ilogb(margin) + 1) : margin;
+}
+
+Box ShellMesh::box() const
+{
+    const Box box = reaches_.all().box;
+    return {box.low - Vec3(margin()), box.high + Vec3(margin())};
 }
 
 ShellMesh::Border ShellMesh::borderOf(std::uint32_t surface, const CoincidentEdges& edges)
@@ -65,7 +106,14 @@ ShellMesh::Border ShellMesh::borderOf(std::uint32_t surface, const CoincidentEdg
 // One eye's look at a shell. A false return: nothing can be shown.
 class ShellMesh::Proof {
 public:
-    Proof(const Vec3& eye, double reach) : eye_(eye), reach_(reach), angles_(eye) {}
+    Proof(const Vec3& eye, double reach, int splits)
+        : allowed_(splits),
+          splits_(splits),
+          eye_(eye),
+          reach_(reach),
+          angles_(eye)
+    {
+    }
 
     // Whether the ball and the box meet.
     [[nodiscard]] bool touches(const Box& box) const
@@ -91,7 +139,12 @@ public:
         return true;
     }
 
-    [[nodiscard]] std::optional<int> windings() const { return angles_.windings(); }
+    // Of what was added; nothing where that cannot be told.
+    [[nodiscard]] std::optional<Seen> seen() const
+    {
+        const auto turns = angles_.turns();
+        return turns ? std::optional(Seen{*turns, allowed_ - splits_}) : std::nullopt;
+    }
 
 private:
     using Corners = std::array<Vec3, 4>;  // in the order of a polygon: (0, 0), (1, 0), (1, 1), (0, 1)
@@ -205,22 +258,78 @@ private:
     }
 
     static constexpr int kDeepest = 7;
-    int splits_ = 2000;
+    int allowed_;
+    int splits_;
 
     Vec3 eye_;
     double reach_;
     SolidAngles angles_;
 };
 
+namespace {
+
+constexpr int kMostSplits = 2000;
+
+}  // namespace
+
+void ShellMesh::lookAll(const Vec3& eye, double reach) const
+{
+    look_ = Look{eye, reach, {}, false, 0};
+    std::vector<Seen> all;
+    int splits = kMostSplits;
+    for (size_t k = 0; k < placed_.size(); ++k) {
+        Proof proof(eye, reach, splits);
+        const auto seen = proof.add(placed_[k]) ? proof.seen() : std::nullopt;
+        if (!seen) {
+            look_->failed = true;
+            look_->failedAt = k;
+            return;
+        }
+        splits -= seen->splits;
+        all.push_back(*seen);
+    }
+    look_->seen = Totals<Seen>(all);
+}
+
+// At what was replaced. Where nothing could be shown, members behind those that it failed by make no
+// difference.
+void ShellMesh::lookAgain() const
+{
+    const Vec3 eye = look_->eye;
+    const double reach = look_->reach;
+    for (const size_t k : replaced_) {
+        if (look_->failed && k > look_->failedAt)
+            continue;
+        if (look_->failed) {
+            lookAll(eye, reach);
+            return;
+        }
+        const int others = look_->seen.all().splits - look_->seen[k].splits;
+        Proof proof(eye, reach, kMostSplits - others);
+        const auto seen = proof.add(placed_[k]) ? proof.seen() : std::nullopt;
+        if (seen) {
+            look_->seen.set(k, *seen);
+        } else {
+            look_->failed = true;
+            look_->failedAt = placed_.size();
+        }
+    }
+}
+
 bool ShellMesh::isOutside(const Vec3& eye, double radius) const
 {
-    Proof proof(eye, radius + margin_);
-    if (!proof.touches(box_))
+    const double reach = radius + proofMargin();
+    if (!Proof(eye, reach, 0).touches(box())) {
+        look_.reset();
+        replaced_.clear();
         return true;
-    for (const Placed& placed : placed_)
-        if (!proof.add(placed))
-            return false;
-    return proof.windings() == 0;
+    }
+    if (!look_ || look_->eye != eye || look_->reach != reach)
+        lookAll(eye, reach);
+    else
+        lookAgain();
+    replaced_.clear();
+    return !look_->failed && SolidAngles::wholeTurns(look_->seen.all().turns) == 0;
 }
 
 }  // namespace knotspan

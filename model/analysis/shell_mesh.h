@@ -7,10 +7,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "model/analysis/coincident_edges.h"
 #include "model/analysis/shell_part.h"
+#include "model/core/totals.h"
 
 namespace knotspan {
 
@@ -25,11 +27,26 @@ public:
     // A closed shell, consistently turned.
     ShellMesh(const std::vector<Member>& members, const CoincidentEdges& edges);
 
-    [[nodiscard]] const Box& box() const { return box_; }
-    // How far points that are joined may be apart.
-    [[nodiscard]] double margin() const { return margin_; }
+    // Member k is another surface now, with other borders or the same.
+    void replace(size_t k, const Member& member, const CoincidentEdges& edges);
+    [[nodiscard]] const std::shared_ptr<const ShellPart>& part(size_t k) const { return placed_[k].part; }
+    // Whether member k was made a member so.
+    [[nodiscard]] bool isTurned(size_t k) const { return placed_[k].turned; }
 
-    // The whole ball lies outside, clear of the surface. False where that cannot be shown quickly.
+    [[nodiscard]] Box boxOfParts() const { return reaches_.all().box; }
+    [[nodiscard]] Box box() const;  // with the margin
+    // How far points that are joined may be apart.
+    [[nodiscard]] double margin() const;
+    // visit(k) of the members whose boxes satisfy the test, as all boxes around them do; increasing.
+    template <class Test, class Visit>
+    void visitWhere(const Test& test, const Visit& visit) const
+    {
+        reaches_.visitWhere([&](const Reach& reach) { return test(reach.box); }, visit);
+    }
+
+    // The whole ball lies outside, clear of the surface. False where that cannot be shown quickly. Remembers
+    // what it saw from the last eye, so that members replaced since are all it looks at: one thread at a
+    // time.
     [[nodiscard]] bool isOutside(const Vec3& eye, double radius) const;
 
 private:
@@ -49,13 +66,44 @@ private:
         Border border;
         bool turned = false;
     };
+    struct Reach {
+        Box box;
+        double widest = 0;  // of the boxes, along any axis
+        double apart = 0;   // joined corners
+
+        void add(const Reach& other);
+    };
+    // What members look like from an eye.
+    struct Seen {
+        double turns = 0;  // round the eye
+        int splits = 0;    // that it took to show that
+
+        void add(const Seen& other)
+        {
+            turns += other.turns;
+            splits += other.splits;
+        }
+    };
+    struct Look {
+        Vec3 eye{};
+        double reach = 0;
+        Totals<Seen> seen;
+        bool failed = false;
+        size_t failedAt = 0;  // by this member and those before it
+    };
     class Proof;
 
+    static Placed placedAs(const Member& member, const CoincidentEdges& edges);
+    static Reach reachOf(const Member& member, const CoincidentEdges& edges);
     static Border borderOf(std::uint32_t surface, const CoincidentEdges& edges);
+    [[nodiscard]] double proofMargin() const;
+    void lookAll(const Vec3& eye, double reach) const;
+    void lookAgain() const;
 
     std::vector<Placed> placed_;
-    Box box_;
-    double margin_ = 0;
+    Totals<Reach> reaches_;
+    mutable std::optional<Look> look_;
+    mutable std::vector<size_t> replaced_;  // since that look
 };
 
 }  // namespace knotspan

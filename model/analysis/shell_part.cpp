@@ -117,8 +117,7 @@ ShellPart::ShellPart(const PlacedSurface& placed)
       spansU_(static_cast<std::uint32_t>(placed.surface->knotsU().spans().size())),
       spansV_(static_cast<std::uint32_t>(placed.surface->knotsV().spans().size())),
       mirrored_(glm::determinant(glm::dmat3(placed.transform)) < 0),
-      corners_((spansU_ + 1) * (spansV_ + 1)),
-      swept_(sweptVolumeOf(*placed.surface, placed.transform))
+      corners_((spansU_ + 1) * (spansV_ + 1))
 {
     boxes_.reserve(spansU_ * spansV_);
     for (std::uint32_t a = 0; a < spansU_; ++a)
@@ -131,6 +130,27 @@ ShellPart::ShellPart(const PlacedSurface& placed)
                     corners_[(a + i) * (spansV_ + 1) + b + j] =
                         pointOf(here.at(i == 0 ? 0 : here.degreeU, j == 0 ? 0 : here.degreeV));
         }
+}
+
+SweptVolume ShellPart::sweptVolume() const
+{
+    return sweptVolumeOf(nets_->surface, transform_);
+}
+
+bool ShellPart::isSameAt(std::uint32_t a, std::uint32_t b, const ShellPart& other) const
+{
+    const NurbsSurface& one = nets_->surface;
+    const NurbsSurface& another = other.nets_->surface;
+    if (transform_ != other.transform_ || one.degreeU() != another.degreeU() ||
+        one.degreeV() != another.degreeV() || one.countV() != another.countV())
+        return false;
+    const int firstU = one.knotsU().spans()[a] - one.degreeU();
+    const int firstV = one.knotsV().spans()[b] - one.degreeV();
+    for (int i = firstU; i <= firstU + one.degreeU(); ++i)
+        for (int j = firstV; j <= firstV + one.degreeV(); ++j)
+            if (!(one.controlPoint(i, j) == another.controlPoint(i, j)))
+                return false;
+    return true;
 }
 
 BezierNet ShellPart::net(std::uint32_t a, std::uint32_t b) const

@@ -38,9 +38,12 @@ public:
         return corners_[i * (spansV_ + 1) + j];
     }
 
-    [[nodiscard]] const SweptVolume& sweptVolume() const { return swept_; }
+    // Integrates each time.
+    [[nodiscard]] SweptVolume sweptVolume() const;
     [[nodiscard]] BezierNet net(std::uint32_t a, std::uint32_t b) const;
     [[nodiscard]] bool isMirrored() const { return mirrored_; }
+    // Whether another one, of the same knots, has the same KSQuad (a, b), to the bit.
+    [[nodiscard]] bool isSameAt(std::uint32_t a, std::uint32_t b, const ShellPart& other) const;
 
 private:
     // The conversion looks at the surface.
@@ -58,7 +61,6 @@ private:
     Box box_;
     std::vector<Box> boxes_;
     std::vector<Vec3> corners_;
-    SweptVolume swept_;
 };
 
 }  // namespace knotspan

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
+#include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -113,11 +115,28 @@ void Shells::update(const std::vector<CoincidentEdges::Change>& changes, const C
 {
     for (const CoincidentEdges::Change& change : changes)
         parts_[change.index] = std::make_shared<const ShellPart>(change.placed);
-    join(edges);
+    const auto besideMoved = edges.onlyMovedSince(std::exchange(joined_, edges.revision()));
+    if (!besideMoved) {
+        join(edges);
+        return;
+    }
+    std::map<std::uint32_t, std::vector<std::uint32_t>> followed;
+    const auto follows = [&](std::uint32_t surface) { followed[shellOf_[surface]].push_back(surface); };
+    for (const CoincidentEdges::Change& change : changes)
+        follows(change.index);
+    for (const std::uint32_t surface : *besideMoved)
+        follows(surface);
+    for (auto& [shell, surfaces] : followed) {
+        std::sort(surfaces.begin(), surfaces.end());
+        surfaces.erase(std::unique(surfaces.begin(), surfaces.end()), surfaces.end());
+        follow(shells_[shell], surfaces, edges);
+    }
 }
 
 void Shells::join(const CoincidentEdges& edges)
 {
+    joined_ = edges.revision();
+    ++revision_;
     const std::vector<SideOf> sideOf = sidesOf(edges.numbers());
     TurnedGroups groups(static_cast<std::uint32_t>(parts_.size()));
     for (std::uint32_t side = 0; side < edges.sideCount(); ++side)
@@ -128,60 +147,137 @@ void Shells::join(const CoincidentEdges& edges)
     shells_.clear();
     shellOf_.assign(parts_.size(), 0);
     sides_.assign(parts_.size(), 0);
-    std::vector<char> turned(parts_.size(), 0);
+    turned_.assign(parts_.size(), 0);
     for (std::uint32_t surface = 0; surface < parts_.size(); ++surface) {
         const auto [root, isTurned] = groups.rootOf(surface);
-        turned[surface] = isTurned ? 1 : 0;
+        turned_[surface] = isTurned ? 1 : 0;
         shellOf_[surface] = root == surface ? count() : shellOf_[root];
-        if (root == surface)
-            shells_.push_back({{}, true, nullptr});
+        if (root == surface) {
+            shells_.emplace_back();
+            shells_.back().closed = true;
+        }
         shells_[shellOf_[surface]].surfaces.push_back(surface);
     }
     for (std::uint32_t side = 0; side < edges.sideCount(); ++side)
         if (!isManifoldSide(edges, side))
             shells_[shellOf_[sideOf[side].surface]].closed = false;
-    for (Shell& shell : shells_)
-        if (shell.closed && !groups.isTwisted(shell.surfaces.front()))
-            findSides(shell, turned, edges);
+    for (Shell& shell : shells_) {
+        shell.turnable = shell.closed && !groups.isTwisted(shell.surfaces.front());
+        if (shell.turnable)
+            begin(shell, edges);
+    }
 }
 
-void Shells::findSides(Shell& shell, const std::vector<char>& turned, const CoincidentEdges& edges)
+void Shells::Swept::add(const Swept& other)
+{
+    volume += other.volume;
+    area += other.area;
+    error += other.error;
+    areaError += other.areaError;
+}
+
+Shells::Swept Shells::sweptBy(std::uint32_t surface, const Vec3& seenFrom) const
+{
+    const SweptVolume swept = parts_[surface]->sweptVolume();
+    const double sign = turned_[surface] != 0 ? -1 : 1;
+    return {sign * swept.seenFrom(seenFrom), sign * swept.area, swept.errorFrom(seenFrom), swept.areaError};
+}
+
+ShellMesh::Member Shells::memberOf(std::uint32_t surface, bool inverted) const
+{
+    return {surface, parts_[surface], (turned_[surface] != 0) != inverted};
+}
+
+// All of a shell that can be turned.
+void Shells::begin(Shell& shell, const CoincidentEdges& edges)
 {
     Box box;
     for (const std::uint32_t surface : shell.surfaces)
         box.add(parts_[surface]->box());
-    double volume = 0;
-    double error = 0;
-    for (const std::uint32_t surface : shell.surfaces) {
-        const SweptVolume& swept = parts_[surface]->sweptVolume();
-        volume += (turned[surface] != 0 ? -1 : 1) * swept.seenFrom(box.centre());
-        error += swept.errorFrom(box.centre());
-    }
-    const Vec3 size = box.size();
-    constexpr double kLeast = 1e-6;  // of its box
-    if (!(std::abs(volume) > kLeast * size.x * size.y * size.z + 4 * error))
-        return;
+    shell.seenFrom = box.centre();
+    std::vector<Swept> swept;
+    for (const std::uint32_t surface : shell.surfaces)
+        swept.push_back(sweptBy(surface, shell.seenFrom));
+    shell.swept = Totals<Swept>(swept);
+    makeMesh(shell, false, edges);
+    findSides(shell, edges, nullptr);
+}
+
+void Shells::makeMesh(Shell& shell, bool inverted, const CoincidentEdges& edges)
+{
     std::vector<ShellMesh::Member> members;
     for (const std::uint32_t surface : shell.surfaces)
-        members.push_back({surface, parts_[surface], (turned[surface] != 0) != (volume < 0)});
-    auto mesh = std::make_shared<const ShellMesh>(members, edges);
-    if (!crossings_.lookAgain(shell.surfaces, parts_, edges, mesh->margin()))
+        members.push_back(memberOf(surface, inverted));
+    shell.mesh = std::make_unique<ShellMesh>(members, edges);
+}
+
+// Surfaces of a shell that are other ones now, or have other ones beside them, and are joined as before.
+void Shells::follow(Shell& shell, const std::vector<std::uint32_t>& changed, const CoincidentEdges& edges)
+{
+    if (!shell.turnable)
         return;
-    for (const ShellMesh::Member& member : members)
-        sides_[member.surface] = member.turned != member.part->isMirrored() ? -1 : 1;
-    shell.mesh = std::move(mesh);
+    const bool inverted = shell.mesh->isTurned(0) != (turned_[shell.surfaces.front()] != 0);
+    std::vector<std::uint32_t> others;
+    for (const std::uint32_t surface : changed) {
+        const auto member = static_cast<size_t>(
+            std::lower_bound(shell.surfaces.begin(), shell.surfaces.end(), surface) - shell.surfaces.begin());
+        if (shell.mesh->part(member) != parts_[surface]) {
+            shell.swept.set(member, sweptBy(surface, shell.seenFrom));
+            others.push_back(surface);
+        }
+        shell.mesh->replace(member, memberOf(surface, inverted), edges);
+    }
+    findSides(shell, edges, &others);
+}
+
+// `changed`: all that is new; null: everything may be.
+void Shells::findSides(Shell& shell, const CoincidentEdges& edges, const std::vector<std::uint32_t>* changed)
+{
+    const Box box = shell.mesh->boxOfParts();
+    const Swept all = shell.swept.all();
+    const Vec3 way = shell.seenFrom - box.centre();
+    const double volume = all.volume + glm::dot(way, all.area) / 3;
+    const double error = all.error + glm::length(way) * all.areaError / 3;
+    const Vec3 size = box.size();
+    constexpr double kLeast = 1e-6;  // of its box
+    const bool encloses = std::abs(volume) > kLeast * size.x * size.y * size.z + 4 * error;
+    const bool inverted = shell.mesh->isTurned(0) != (turned_[shell.surfaces.front()] != 0);
+    const bool turns = encloses && inverted != (volume < 0);
+    if (turns)
+        makeMesh(shell, volume < 0, edges);
+    const ShellCrossings::Body body{shell.surfaces, parts_, edges, *shell.mesh};
+    const bool keepsApart =
+        encloses &&
+        (changed != nullptr && shell.looked ? crossings_.lookAgain(body, *changed) : crossings_.look(body));
+    // What was not looked at has to be looked for.
+    shell.looked = encloses;
+    setSides(shell, keepsApart, turns ? nullptr : changed);
+}
+
+// Of the changed ones, where no others can have other sides.
+void Shells::setSides(Shell& shell, bool sided, const std::vector<std::uint32_t>* changed)
+{
+    const bool all = changed == nullptr || sided != shell.sided;
+    shell.sided = sided;
+    const bool inverted = shell.mesh->isTurned(0) != (turned_[shell.surfaces.front()] != 0);
+    for (const std::uint32_t surface : all ? shell.surfaces : *changed) {
+        const bool turned = (turned_[surface] != 0) != inverted;
+        const int side = !sided ? 0 : turned != parts_[surface]->isMirrored() ? -1 : 1;
+        if (side != std::exchange(sides_[surface], side))
+            ++revision_;
+    }
 }
 
 bool Shells::isOutside(std::uint32_t shell, const Vec3& eye, double radius) const
 {
-    return shells_[shell].mesh != nullptr && shells_[shell].mesh->isOutside(eye, radius);
+    return shells_[shell].sided && shells_[shell].mesh->isOutside(eye, radius);
 }
 
 bool Shells::isOutsideAlong(std::uint32_t shell, const Vec3& direction, double nearest) const
 {
-    if (shells_[shell].mesh == nullptr)
+    if (!shells_[shell].sided)
         return false;
-    const Box& box = shells_[shell].mesh->box();
+    const Box box = shells_[shell].mesh->box();
     const double middle = glm::dot(direction, box.centre());
     const double reach = glm::dot(glm::abs(direction), box.size()) / 2;
     return middle - reach > nearest || middle + reach < nearest;

@@ -15,8 +15,12 @@ public:
     // `edges` are those of the surfaces.
     Shells(const std::vector<PlacedSurface>& surfaces, const CoincidentEdges& edges);
 
-    // `edges` have been given the changes. Looks again at the changed surfaces, and at what joins all.
+    // `edges` have been given the changes. Looks again at the changed surfaces and those beside them alone,
+    // where all are joined as they were; else at all.
     void update(const std::vector<CoincidentEdges::Change>& changes, const CoincidentEdges& edges);
+
+    // Changes with what the shells are made of, are closed and have for sides.
+    [[nodiscard]] std::uint64_t revision() const { return revision_; }
 
     // Shells are numbered by their first surface.
     [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(shells_.size()); }
@@ -37,20 +41,45 @@ public:
     [[nodiscard]] bool isOutsideAlong(std::uint32_t shell, const Vec3& direction, double nearest) const;
 
 private:
+    // What one part adds to the volume that a shell encloses, seen from a point that all share.
+    struct Swept {
+        double volume = 0;
+        Vec3 area{};
+        double error = 0;
+        double areaError = 0;
+
+        void add(const Swept& other);
+    };
+    // Its members are its surfaces, increasing.
     struct Shell {
         std::vector<std::uint32_t> surfaces;
         bool closed = false;
-        std::shared_ptr<const ShellMesh> mesh;  // where surfaces have sides
+        // Of closed ones that can be turned consistently; else none.
+        bool turnable = false;
+        bool sided = false;
+        bool looked = false;  // for crossings, when it changed last
+        Vec3 seenFrom{};
+        Totals<Swept> swept;
+        std::unique_ptr<ShellMesh> mesh;  // of those that can be turned
     };
 
     void join(const CoincidentEdges& edges);
-    void findSides(Shell& shell, const std::vector<char>& turned, const CoincidentEdges& edges);
+    void begin(Shell& shell, const CoincidentEdges& edges);
+    void follow(Shell& shell, const std::vector<std::uint32_t>& changed, const CoincidentEdges& edges);
+    void findSides(Shell& shell, const CoincidentEdges& edges, const std::vector<std::uint32_t>* changed);
+    void makeMesh(Shell& shell, bool inverted, const CoincidentEdges& edges);
+    void setSides(Shell& shell, bool sided, const std::vector<std::uint32_t>* changed);
+    [[nodiscard]] Swept sweptBy(std::uint32_t surface, const Vec3& seenFrom) const;
+    [[nodiscard]] ShellMesh::Member memberOf(std::uint32_t surface, bool inverted) const;
 
     std::vector<std::shared_ptr<const ShellPart>> parts_;
     std::vector<std::uint32_t> shellOf_;
+    std::vector<char> turned_;  // against the first of its shell
     std::vector<int> sides_;
     std::vector<Shell> shells_;
     ShellCrossings crossings_;
+    std::uint64_t joined_ = 0;  // the revision of the edges that the shells are of
+    std::uint64_t revision_ = 0;
 };
 
 }  // namespace knotspan

@@ -1,4 +1,7 @@
 // CoincidentEdges: which two sides are one curve, and the edges that come of it.
+#include <set>
+#include <utility>
+
 #include "model/analysis/bezier_curves.h"
 #include "model/analysis/coincident_edges.h"
 
@@ -125,31 +128,33 @@ void CoincidentEdges::compare(std::uint32_t a, std::uint32_t b)
 // With all sides that overlap them, directly or through others; increasing.
 Indices CoincidentEdges::connected(Indices sides) const
 {
-    std::vector<char> known(sides_.size(), 0);
-    Indices found;
-    const auto reach = [&](std::uint32_t side) {
-        if (known[side] == 0)
-            found.push_back(side);
-        known[side] = 1;
-    };
-    for (const std::uint32_t side : sides)
-        reach(side);
-    for (size_t k = 0; k < found.size(); ++k)
-        for (const SideOverlap& overlap : overlaps_[found[k]].overlaps)
-            reach(overlap.other);
-    std::sort(found.begin(), found.end());
-    return found;
+    std::set<std::uint32_t> found(sides.begin(), sides.end());
+    while (!sides.empty()) {
+        const std::uint32_t side = sides.back();
+        sides.pop_back();
+        for (const SideOverlap& overlap : overlaps_[side].overlaps)
+            if (found.insert(overlap.other).second)
+                sides.push_back(overlap.other);
+    }
+    return {found.begin(), found.end()};
 }
 
-void CoincidentEdges::joinEdges(const Indices& sides)
+bool CoincidentEdges::joinEdges(const Indices& sides)
 {
+    std::vector<std::shared_ptr<const CoincidentEdge>> before;
     for (const std::uint32_t side : sides)
-        edges_[side] = nullptr;
+        before.push_back(std::exchange(edges_[side], nullptr));
     for (CoincidentEdge& edge : formEdges(sides, overlaps_)) {
         const auto shared = std::make_shared<const CoincidentEdge>(std::move(edge));
         for (const EdgeMember& member : shared->members)
             edges_[member.side] = shared;
     }
+    for (size_t k = 0; k < sides.size(); ++k) {
+        const CoincidentEdge* const now = edges_[sides[k]].get();
+        if ((now == nullptr) != (before[k] == nullptr) || (now != nullptr && !(*now == *before[k])))
+            return true;
+    }
+    return false;
 }
 
 }  // namespace knotspan

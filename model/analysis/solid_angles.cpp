@@ -53,13 +53,20 @@ void SolidAngles::add(const Corner& a, const Corner& b, const Corner& c)
     direction_ = sum;
 }
 
-std::optional<int> SolidAngles::windings() const
+std::optional<double> SolidAngles::turns() const
+{
+    if (!certain_)
+        return std::nullopt;
+    return turns_ + std::atan2(direction_.imag(), direction_.real()) / (2 * std::numbers::pi);
+}
+
+std::optional<int> SolidAngles::wholeTurns(double turns)
 {
     constexpr double kWhole = 0.01;
-    const double rest = std::atan2(direction_.imag(), direction_.real()) / (2 * std::numbers::pi);
-    if (!certain_ || !(std::abs(rest) < kWhole))
+    const double whole = std::round(turns);
+    if (!(std::abs(turns - whole) < kWhole) || std::abs(whole) > 1e9)
         return std::nullopt;
-    return turns_;
+    return static_cast<int>(whole);
 }
 
 }  // namespace knotspan

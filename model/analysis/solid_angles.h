@@ -24,9 +24,17 @@ public:
 
     void addTriangle(const Vec3& a, const Vec3& b, const Vec3& c);
 
-    // Positive where triangles that wind counterclockwise seen from far outside enclose the point. Nothing
-    // where the point lies on a triangle, or the mesh was not closed.
-    [[nodiscard]] std::optional<int> windings() const;
+    // Their sum, in whole turns round the point: of a closed mesh an integer up to rounding, positive where
+    // triangles that wind counterclockwise seen from far outside enclose it. Nothing where the point lies on
+    // a triangle.
+    [[nodiscard]] std::optional<double> turns() const;
+    // The integer that so many turns are; nothing where they are none: the mesh was not closed.
+    [[nodiscard]] static std::optional<int> wholeTurns(double turns);
+    [[nodiscard]] std::optional<int> windings() const
+    {
+        const auto around = turns();
+        return around ? wholeTurns(*around) : std::nullopt;
+    }
 
 private:
     // Relative to the eye.

@@ -9,6 +9,7 @@
 #include <QUndoStack>
 
 #include "model/scene/edit.h"
+#include "model/scene/object_counts.h"
 
 namespace knotspan {
 
@@ -19,6 +20,11 @@ public:
     explicit Document(QObject* parent = nullptr);
 
     [[nodiscard]] const Scene& scene() const { return scene_; }
+    [[nodiscard]] const ObjectCounts& objectCounts() const
+    {
+        counts_.follow(scene_);
+        return counts_;
+    }
     // Ends a running gesture first, so that its step is on the stack; where a drag may run, ask canUndo()
     // etc.
     [[nodiscard]] QUndoStack& undoStack();
@@ -88,6 +94,7 @@ private:
     void replace(Scene scene, const std::filesystem::path& file, const QString& title, bool isImported);
 
     Scene scene_;
+    mutable ObjectCounts counts_;  // of the scene when last asked
     QUndoStack undoStack_;
     std::optional<Running> running_;
     std::filesystem::path file_;

@@ -40,6 +40,7 @@ QVariant ObjectList::data(const QModelIndex& index, int role) const
     const NurbsSurface& surface = object.surface;
     switch (role) {
     case Qt::DisplayRole:
+        return object.locked ? tr("%1 (locked)").arg(nameAt(index.row())) : nameAt(index.row());
     case Qt::EditRole:
         return nameAt(index.row());
     case Qt::DecorationRole:
@@ -49,7 +50,9 @@ QVariant ObjectList::data(const QModelIndex& index, int role) const
     case Qt::CheckStateRole:
         return static_cast<int>(object.visible ? Qt::Checked : Qt::Unchecked);
     case Qt::ToolTipRole:
-        return tr("%1: degree %2 by %3, %4 by %5 control points. The box shows or hides it.")
+        return (object.locked
+                    ? tr("%1 is locked (Object > Unlock all): degree %2 by %3, %4 by %5 control points.")
+                    : tr("%1: degree %2 by %3, %4 by %5 control points. The box shows or hides it."))
             .arg(nameAt(index.row()))
             .arg(surface.degreeU())
             .arg(surface.degreeV())
@@ -89,14 +92,20 @@ Qt::ItemFlags ObjectList::flags(const QModelIndex& index) const
 {
     if (!index.isValid())
         return Qt::NoItemFlags;
-    return Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable | Qt::ItemIsEditable |
-           Qt::ItemNeverHasChildren;
+    const Qt::ItemFlags always =
+        Qt::ItemIsEnabled | Qt::ItemIsUserCheckable | Qt::ItemIsEditable | Qt::ItemNeverHasChildren;
+    return rows_[static_cast<size_t>(index.row())].object->locked ? always : always | Qt::ItemIsSelectable;
 }
 
-// Only other ids make another list; a drag changes one row many times a second.
+// Only other ids make another list; a drag changes one row many times a second, whatever others there are.
 void ObjectList::follow()
 {
-    const Scene::Objects& objects = document_.scene().objects();
+    const Scene& scene = document_.scene();
+    const auto exchanged = scene.changedSince(shown_);
+    shown_ = scene;
+    if (exchanged && followExchanged(*exchanged))
+        return;
+    const Scene::Objects& objects = scene.objects();
     const bool sameIds = std::equal(rows_.begin(), rows_.end(), objects.begin(), objects.end(),
                                     [](const Row& row, const auto& entry) { return row.id == entry.first; });
     if (!sameIds) {
@@ -108,14 +117,28 @@ void ObjectList::follow()
         return;
     }
     int row = 0;
-    for (const auto& [unused, object] : objects) {
-        SharedObject& shown = rows_[static_cast<size_t>(row)].object;
-        if (shown != object) {
-            shown = object;
-            Q_EMIT dataChanged(index(row), index(row));
-        }
-        ++row;
-    }
+    for (const auto& [unused, object] : objects)
+        show(row++, object);
+}
+
+bool ObjectList::followExchanged(const std::vector<ObjectId>& ids)
+{
+    for (const ObjectId id : ids)
+        if ((rowOf(id) < 0) != (shown_.find(id) == nullptr))
+            return false;
+    for (const ObjectId id : ids)
+        if (const int row = rowOf(id); row >= 0)
+            show(row, shown_.find(id));
+    return true;
+}
+
+void ObjectList::show(int row, const SharedObject& object)
+{
+    SharedObject& shown = rows_[static_cast<size_t>(row)].object;
+    if (shown == object)
+        return;
+    shown = object;
+    Q_EMIT dataChanged(index(row), index(row));
 }
 
 }  // namespace knotspan

@@ -29,10 +29,14 @@ private:
         SharedObject object;
     };
     void follow();
+    // Where only these were exchanged; false: others are in the list now.
+    bool followExchanged(const std::vector<ObjectId>& ids);
+    void show(int row, const SharedObject& object);
     [[nodiscard]] QString nameAt(int row) const;
 
     Document& document_;
     std::vector<Row> rows_;
+    Scene shown_;
 };
 
 }  // namespace knotspan

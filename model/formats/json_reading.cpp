@@ -183,7 +183,8 @@ SceneObject objectOf(const Place& place)
             place.member("visible").yesOrNo(),
             surfaceOf(place.member("surface")),
             trimLoopsOf(place.member("trim_loops")),
-            sidesOf(place)};
+            sidesOf(place),
+            place.has("locked") && place.member("locked").yesOrNo()};
 }
 
 Scene sceneOf(const Place& file)

@@ -66,6 +66,8 @@ std::string textOf(const SceneObject& object)
               {"trim_loops", jsonOf(object.trimLoops)}};
     if (object.sides != Sides::automatic)
         json["sides"] = sidesName(object.sides);
+    if (object.locked)
+        json["locked"] = true;
     return dumped(json);
 }
 

@@ -1,5 +1,8 @@
 #include "model/friends/scene_friends.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "model/geometry/evaluation.h"
 
 namespace knotspan {
@@ -16,8 +19,53 @@ void SceneFriends::setTolerances(const FriendTolerances& tolerances)
     tolerances_ = tolerances;
 }
 
+namespace {
+
+bool haveSameLoops(const SharedObject& x, const SharedObject& y)
+{
+    return x == y || x->trimLoops == y->trimLoops;
+}
+
+bool standAlike(const SharedObject& x, const SharedObject& y)
+{
+    return x == y || (x->surface == y->surface && x->transform == y->transform);
+}
+
+}  // namespace
+
+std::optional<bool> SceneFriends::followExchanged(const std::vector<ObjectId>& exchanged, bool hiddenToo)
+{
+    std::vector<std::pair<std::uint32_t, SharedObject>> others;
+    for (const ObjectId id : exchanged) {
+        const SharedObject object = scene_.find(id);
+        const auto place = std::lower_bound(ids_.begin(), ids_.end(), id);
+        const bool was = place != ids_.end() && *place == id;
+        const bool is = object != nullptr && (object->visible || hiddenToo);
+        const auto index = static_cast<std::uint32_t>(place - ids_.begin());
+        if (was != is || (is && !haveSameLoops(object, held_[index])))
+            return std::nullopt;
+        if (is)
+            others.emplace_back(index, object);
+    }
+    std::vector<Friends::Change> changes;
+    for (const auto& [index, object] : others) {
+        if (!standAlike(object, held_[index]))
+            changes.push_back({index, placed(*object)});
+        held_[index] = object;
+    }
+    if (!changes.empty())
+        friends_.update(changes);
+    return !changes.empty();
+}
+
 bool SceneFriends::follow(const Scene& scene, bool hiddenToo)
 {
+    const auto exchanged = scene.changedSince(scene_);
+    scene_ = scene;
+    const bool sameWish = std::exchange(hiddenToo_, hiddenToo) == hiddenToo;
+    if (exchanged && sameWish && !anew_)
+        if (const auto changed = followExchanged(*exchanged, hiddenToo))
+            return *changed;
     std::vector<ObjectId> ids;
     std::vector<SharedObject> objects;
     for (const auto& [id, object] : scene.objects())
@@ -25,11 +73,8 @@ bool SceneFriends::follow(const Scene& scene, bool hiddenToo)
             ids.push_back(id);
             objects.push_back(object);
         }
-    const auto sameLoops = [](const SharedObject& x, const SharedObject& y) {
-        return x == y || x->trimLoops == y->trimLoops;
-    };
     if (anew_ || ids != ids_ ||
-        !std::equal(objects.begin(), objects.end(), held_.begin(), held_.end(), sameLoops)) {
+        !std::equal(objects.begin(), objects.end(), held_.begin(), held_.end(), haveSameLoops)) {
         std::vector<PlacedSurface> surfaces;
         for (const SharedObject& object : objects)
             surfaces.push_back(placed(*object));
@@ -41,8 +86,7 @@ bool SceneFriends::follow(const Scene& scene, bool hiddenToo)
     }
     std::vector<Friends::Change> changes;
     for (size_t k = 0; k < objects.size(); ++k)
-        if (objects[k] != held_[k] &&
-            (objects[k]->surface != held_[k]->surface || objects[k]->transform != held_[k]->transform))
+        if (!standAlike(objects[k], held_[k]))
             changes.push_back({static_cast<std::uint32_t>(k), placed(*objects[k])});
     held_ = std::move(objects);
     if (!changes.empty())

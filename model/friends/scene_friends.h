@@ -2,6 +2,8 @@
 // the same as before are not looked at again.
 #pragma once
 
+#include <optional>
+
 #include "model/friends/friends.h"
 #include "model/scene/scene.h"
 
@@ -26,8 +28,13 @@ public:
     [[nodiscard]] const SharedObject& object(std::uint32_t surface) const { return held_[surface]; }
 
 private:
+    // Where only these were exchanged since; nothing: others take part now.
+    std::optional<bool> followExchanged(const std::vector<ObjectId>& exchanged, bool hiddenToo);
+
     FriendTolerances tolerances_;
     bool anew_ = true;
+    Scene scene_;  // that was followed last
+    bool hiddenToo_ = false;
     std::vector<ObjectId> ids_;
     std::vector<SharedObject> held_;
     Friends friends_;

@@ -1,10 +1,62 @@
 #include "model/scene/scene.h"
 
 #include <algorithm>
+#include <atomic>
+#include <utility>
 
 #include "model/geometry/ksquad.h"
 
 namespace knotspan {
+
+namespace {
+
+std::uint64_t newVersion()
+{
+    static std::atomic<std::uint64_t> last{0};
+    return ++last;
+}
+
+}  // namespace
+
+Scene& Scene::operator=(const Scene& other)
+{
+    if (this == &other)
+        return *this;
+    if (const auto changed = other.changedSince(*this)) {
+        for (const ObjectId id : *changed) {
+            if (SharedObject object = other.find(id))
+                objects_.insert_or_assign(id, std::move(object));
+            else
+                objects_.erase(id);
+        }
+    } else {
+        objects_ = other.objects_;
+    }
+    version_ = other.version_;
+    latest_ = other.latest_;
+    nextExchange_ = other.nextExchange_;
+    units_ = other.units_;
+    nextId_ = other.nextId_;
+    return *this;
+}
+
+Scene::Scene(Scene&& other) noexcept
+{
+    *this = std::move(other);
+}
+
+Scene& Scene::operator=(Scene&& other) noexcept
+{
+    if (this == &other)
+        return *this;
+    objects_ = std::exchange(other.objects_, {});
+    version_ = std::exchange(other.version_, 0);
+    latest_ = std::exchange(other.latest_, {});
+    nextExchange_ = other.nextExchange_;
+    units_ = std::move(other.units_);
+    nextId_ = std::exchange(other.nextId_, 0);
+    return *this;
+}
 
 SharedObject Scene::find(ObjectId id) const
 {
@@ -22,12 +74,30 @@ ObjectId Scene::add(SceneObject object)
 SharedObject Scene::exchange(ObjectId id, SharedObject object)
 {
     SharedObject before = find(id);
+    latest_[nextExchange_] = {std::exchange(version_, newVersion()), id};
+    nextExchange_ = (nextExchange_ + 1) % latest_.size();
     if (object)
         objects_[id] = std::move(object);
     else
         objects_.erase(id);
     nextId_ = std::max(nextId_, static_cast<std::uint32_t>(id) + 1);
     return before;
+}
+
+std::optional<std::vector<ObjectId>> Scene::changedSince(const Scene& earlier) const
+{
+    std::vector<ObjectId> changed;
+    if (version_ == earlier.version_)
+        return changed;
+    const auto count = static_cast<std::uint32_t>(latest_.size());
+    for (std::uint32_t back = 1; back <= count; ++back) {
+        const Exchange& exchange = latest_[(nextExchange_ + count - back) % count];
+        changed.push_back(exchange.id);
+        // A version of 0 also stands where no exchange was.
+        if (exchange.before == earlier.version_)
+            return exchange.before != 0 || earlier.objects_.empty() ? std::optional(changed) : std::nullopt;
+    }
+    return std::nullopt;
 }
 
 Box Scene::bounds() const

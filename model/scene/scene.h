@@ -2,9 +2,12 @@
 // saving on another thread and for the renderer; an equal pointer is an unchanged object.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "model/scene/scene_object.h"
 
@@ -17,6 +20,14 @@ class Scene {
 public:
     using Objects = std::map<ObjectId, SharedObject>;
 
+    Scene() = default;
+    Scene(const Scene&) = default;
+    // Costs what the two differ by, where one came from the other by a few exchanges.
+    Scene& operator=(const Scene& other);
+    Scene(Scene&& other) noexcept;
+    Scene& operator=(Scene&& other) noexcept;
+    ~Scene() = default;
+
     [[nodiscard]] const Objects& objects() const { return objects_; }
     [[nodiscard]] SharedObject find(ObjectId id) const;  // null where there is none
 
@@ -27,12 +38,16 @@ public:
     // did).
     SharedObject exchange(ObjectId id, SharedObject object);
 
+    // Where this scene came from `earlier` by few exchanges: the ids exchanged since, each at least once.
+    // Nothing: nobody knows; compare all. Costs the same however many objects there are.
+    [[nodiscard]] std::optional<std::vector<ObjectId>> changedSince(const Scene& earlier) const;
+
     // The name of the length unit that coordinates are in ("mm", "m", "in", ...); it scales nothing by
     // itself.
     [[nodiscard]] const std::string& units() const { return units_; }
     void setUnits(std::string units) { units_ = std::move(units); }
 
-    [[nodiscard]] Box bounds() const;  // of the visible objects
+    [[nodiscard]] Box bounds() const;                       // of the visible objects
     [[nodiscard]] std::vector<Vec3> controlPoints() const;  // of the visible objects, in model space
     [[nodiscard]] size_t ksQuadCount() const;
     [[nodiscard]] size_t controlPointCount() const;
@@ -41,7 +56,16 @@ public:
     [[nodiscard]] bool operator==(const Scene& other) const;
 
 private:
+    // An exchange: the scene before it had that version.
+    struct Exchange {
+        std::uint64_t before = 0;
+        ObjectId id{};
+    };
+
     Objects objects_;
+    std::uint64_t version_ = 0;          // scenes of one version have the same objects; 0: none
+    std::array<Exchange, 32> latest_{};  // the last exchanges, oldest first from nextExchange_ on
+    std::uint32_t nextExchange_ = 0;
     std::string units_ = "mm";
     std::uint32_t nextId_ = 0;
 };

@@ -28,6 +28,7 @@ struct SceneObject {
     NurbsSurface surface;
     std::vector<TrimLoop> trimLoops;
     Sides sides = Sides::automatic;
+    bool locked = false;  // shown, but no hand takes or changes it
 
     [[nodiscard]] bool operator==(const SceneObject&) const = default;
 

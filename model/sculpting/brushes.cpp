@@ -4,11 +4,13 @@
 #include <cmath>
 
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
+#include "model/geometry/grid_evaluation.h"
+#include "model/scene/control_point_editing.h"
 #include "model/sculpting/best_plane.h"
 #include "model/sculpting/net_directions.h"
 #include "model/sculpting/point_moving.h"
-#include "model/sculpting/points_in_box.h"
 
 namespace knotspan {
 
@@ -23,6 +25,37 @@ struct Touched {
     [[nodiscard]] double larger() const { return std::max(share, mirrorShare); }
 };
 
+// Where on the surface each control point weighs most, in model space: there the hand means it, also where it
+// stands far off.
+class PlacesOnSurface {
+public:
+    explicit PlacesOnSurface(const SceneObject& object) : object_(object)
+    {
+        const NurbsSurface& surface = object.surface;
+        std::vector<double> u;
+        std::vector<double> v;
+        for (int i = 0; i < surface.countU(); ++i)
+            u.push_back(grevilleParameter(surface.knotsU(), i));
+        for (int j = 0; j < surface.countV(); ++j)
+            v.push_back(grevilleParameter(surface.knotsV(), j));
+        GridEvaluator<double>(surface, {})
+            .evaluate(spanParameters(surface.knotsU(), u), spanParameters(surface.knotsV(), v), samples_);
+    }
+    [[nodiscard]] Vec3 operator()(ControlPointIndex index) const
+    {
+        return transformed(samples_.position(index.i, index.j) + samples_.origin(), object_.transform);
+    }
+
+private:
+    const SceneObject& object_;
+    GridSamples<double> samples_;
+};
+
+bool touches(const Box& a, const Box& b)
+{
+    return glm::all(glm::lessThanEqual(a.low, b.high)) && glm::all(glm::lessThanEqual(b.low, a.high));
+}
+
 std::vector<Touched> touchedBy(const SceneObject& object, const Dab& dab)
 {
     const Vec3 image = dab.mirror ? mirrored(dab.centre, *dab.mirror) : dab.centre;
@@ -32,14 +65,27 @@ std::vector<Touched> touchedBy(const SceneObject& object, const Dab& dab)
         reach.add(centre + Vec3(dab.radius));
     }
     std::vector<Touched> result;
-    forPointsInBox(object, reach, [&](ControlPointIndex index, const Vec3& position) {
-        Touched one{index, position};
-        one.share = falloffShare(dab.shape, glm::distance(position, dab.centre), dab.radius);
-        if (dab.mirror)
-            one.mirrorShare = falloffShare(dab.shape, glm::distance(position, image), dab.radius);
-        if (one.larger() > 0)
-            result.push_back(one);
-    });
+    if (!touches(reach, object.bounds()))
+        return result;
+    const NurbsSurface& surface = object.surface;
+    const NetNeighbours neighbours(surface);
+    const PlacesOnSurface onSurface(object);
+    for (int i = 0; i < surface.countU(); ++i)
+        for (int j = 0; j < surface.countV(); ++j) {
+            // One answer for all that are one point.
+            const Vec3 place = onSurface(neighbours.first({i, j}));
+            Touched one{{i, j}, controlPointInModel(object, {i, j})};
+            const auto shareOf = [&](const Vec3& centre) {
+                const double away =
+                    std::min(glm::distance(one.position, centre), glm::distance(place, centre));
+                return falloffShare(dab.shape, away, dab.radius);
+            };
+            one.share = shareOf(dab.centre);
+            if (dab.mirror)
+                one.mirrorShare = shareOf(image);
+            if (one.larger() > 0)
+                result.push_back(one);
+        }
     return result;
 }
 
@@ -73,7 +119,6 @@ Vec3 wayToNeighbours(const NurbsSurface& surface, const NetNeighbours& neighbour
         const auto after = neighbours.next(at, direction);
         if (!before || !after)
             continue;  // at a border, which only what lies along it may move
-        // Paired, so that the mirror image of a net goes the mirror image's way to the bit.
         sum += (surface.controlPoint(before->i, before->j).position - here) +
                (surface.controlPoint(after->i, after->j).position - here);
         count += 2;

@@ -1,4 +1,6 @@
-// Sculpt brushes: what one dab does to a surface's control points around the place that was hit.
+// Sculpt brushes: what one dab does to a surface's control points around the place that was hit: to those
+// that stand within its radius, and those whose place on the surface (at their Greville parameters) does, so
+// that a brush reaches a point that was pulled far off.
 //
 // All a dab moves is found from the object as it was, then moved together, so neither the order of points nor
 // that of the two halves of a symmetric dab counts. Points at a seam or a pole stay together.
@@ -33,7 +35,7 @@ struct Dab {
 // and where a point would not be at a finite place.
 [[nodiscard]] Result<SharedObject> dabbed(const SharedObject& object, BrushKind brush, const Dab& dab);
 
-// The same for each of `objects` that has points within the radius; of others the edit says nothing.
+// The same for each of `objects` that it reaches; of others the edit says nothing.
 [[nodiscard]] Result<Edit> dabbed(const Scene& scene, const std::set<ObjectId>& objects, BrushKind brush,
                                   const Dab& dab);
 

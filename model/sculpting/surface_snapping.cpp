@@ -100,7 +100,33 @@ bool improve(const SceneObject& object, const Vec3& place, bool freeU, bool free
     return false;
 }
 
+void goDown(const SceneObject& object, const Vec3& place, bool freeU, bool freeV, Foot& foot)
+{
+    for (int round = 0; round < 40 && improve(object, place, freeU, freeV, foot); ++round) {
+    }
+}
+
 }  // namespace
+
+SurfacePlace nearestFrom(ObjectId id, const SceneObject& object, const KsQuad& ksquad, const Vec3& position)
+{
+    const KnotVector& knotsU = object.surface.knotsU();
+    const KnotVector& knotsV = object.surface.knotsV();
+    const auto parameter = [](const KnotVector& knots, int span, int k) {
+        return glm::mix(knots[span], knots[span + 1], double(k) / kCellsPerSpan);
+    };
+    std::optional<Foot> foot;
+    for (int a = 0; a <= kCellsPerSpan; ++a)
+        for (int b = 0; b <= kCellsPerSpan; ++b) {
+            const double u = parameter(knotsU, ksquad.spanU, a);
+            const double v = parameter(knotsV, ksquad.spanV, b);
+            const Nearness at = nearnessAt(object, u, v, position);
+            if (!foot || at.value < foot->at.value)
+                foot = Foot{u, v, at};
+        }
+    goDown(object, position, true, true, *foot);
+    return {id, foot->u, foot->v, foot->at.position, glm::distance(foot->at.position, position)};
+}
 
 // Every u with every v.
 struct SurfaceSnap::Grid {
@@ -174,8 +200,7 @@ std::optional<SurfaceSnap::Place> SurfaceSnap::nearest(const Vec3& position, dou
         const Seed& seed = seeds_[k];
         const SceneObject& object = *objects_.at(seed.object);
         Foot foot{seed.u, seed.v, nearnessAt(object, seed.u, seed.v, position)};
-        for (int round = 0; round < 40 && improve(object, position, seed.freeU, seed.freeV, foot); ++round) {
-        }
+        goDown(object, position, seed.freeU, seed.freeV, foot);
         const double away = glm::distance(foot.at.position, position);
         if (away <= reach && (!best || away < best->distance))
             best = Place{seed.object, foot.u, foot.v, foot.at.position, away};

@@ -10,6 +10,7 @@
 #include <set>
 #include <vector>
 
+#include "model/geometry/ksquad.h"
 #include "model/scene/scene.h"
 #include "model/sculpting/nearest_points.h"
 
@@ -20,19 +21,25 @@ enum class SnapTarget {
     knotLines,  // lines of u or v at a knot of the domain, its border included
 };
 
+struct SurfacePlace {
+    ObjectId object{};
+    double u = 0;
+    double v = 0;
+    Vec3 position{0};     // in model space
+    double distance = 0;  // from where it was asked for
+};
+
+// The same for a position that is known to be near one KSQuad, as a picture tells: searched from there on.
+[[nodiscard]] SurfacePlace nearestFrom(ObjectId id, const SceneObject& object, const KsQuad& ksquad,
+                                       const Vec3& position);
+
 class SurfaceSnap {
 public:
     // Of objects as they stand when a gesture begins; those that the scene has not are none. Costs what
     // evaluating 16 points a KSQuad costs.
     SurfaceSnap(const Scene& scene, const std::set<ObjectId>& objects, SnapTarget target);
 
-    struct Place {
-        ObjectId object{};
-        double u = 0;
-        double v = 0;
-        Vec3 position{0};     // in model space
-        double distance = 0;  // from where it was asked for
-    };
+    using Place = SurfacePlace;
     // No further than `reach` (0 or more), all in model space.
     [[nodiscard]] std::optional<Place> nearest(const Vec3& position, double reach) const;
 

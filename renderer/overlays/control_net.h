@@ -9,11 +9,17 @@ class ControlNet {
 public:
     ControlNet(const Device& device, const Bindings& bindings);
 
+    struct Parts {
+        bool points = true;
+        bool hulls = true;  // the lines between them
+    };
     // Inside a rendering, with viewport and bindings set. `surface` is the number of the record.
-    void drawNet(VkCommandBuffer commands, std::uint32_t surface, const NurbsSurface& net) const;
-    void drawMark(VkCommandBuffer commands, std::uint32_t surface, std::uint32_t point, bool selected) const;
+    void draw(VkCommandBuffer commands, std::uint32_t surface, const NurbsSurface& net, Parts parts) const;
 
 private:
+    void drawPart(VkCommandBuffer commands, const Pipeline& pipeline, gpu::OverlayConstants constants,
+                  bool hidden, std::uint32_t vertices) const;
+
     const Bindings& bindings_;
     Pipeline lines_;
     Pipeline points_;

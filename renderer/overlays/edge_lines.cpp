@@ -1,7 +1,6 @@
 #include "renderer/overlays/edge_lines.h"
 
 #include <algorithm>
-#include <cstring>
 
 namespace knotspan {
 
@@ -10,46 +9,69 @@ namespace {
 // Adds lines on one object.
 class Adding {
 public:
-    Adding(const Resident& resident, const EdgeLine& line, std::vector<gpu::EdgeLineRecord>& to)
+    Adding(const Resident& resident, std::uint32_t colour, double widthPx,
+           std::vector<gpu::EdgeLineRecord>& to)
         : surface_(resident.object->surface),
           first_(resident.firstKsquad),
-          line_(line),
+          colour_(colour),
+          halfWidth_(static_cast<float>(0.5 * widthPx)),
           to_(to)
     {
     }
 
-    void side()
+    void side(const EdgePart& edge)
     {
-        const EdgePart& edge = line_.edge;
         const bool alongV = edge.side == Side::startU || edge.side == Side::endU;
-        const double across = edge.side == Side::endU || edge.side == Side::endV ? 1 : 0;
-        const KnotVector& knots = alongV ? surface_.knotsV() : surface_.knotsU();
+        const bool atEnd = edge.side == Side::endU || edge.side == Side::endV;
         const KnotVector& other = alongV ? surface_.knotsU() : surface_.knotsV();
-        const int otherSpan = across > 0 ? other.spans().back() : other.spans().front();
-        for (const int span : knots.spans()) {
-            const auto place = [&](double t) { return alongV ? Vec2(across, t) : Vec2(t, across); };
-            add(alongV ? otherSpan : span, alongV ? span : otherSpan, knots[span], knots[span + 1], place);
-        }
+        across(alongV ? Direction::U : Direction::V, atEnd ? other.spans().back() : other.spans().front(),
+               atEnd ? 1 : 0, edge.from, edge.to);
     }
 
-    void trim(const std::vector<TrimPiece>& pieces)
+    void iso(Direction direction, double parameter)
+    {
+        const bool isU = direction == Direction::U;
+        const KnotVector& knots = isU ? surface_.knotsU() : surface_.knotsV();
+        const KnotVector& other = isU ? surface_.knotsV() : surface_.knotsU();
+        const double at = knots.inDomain(parameter);
+        const int span = knots.findSpan(at);
+        across(direction, span, (at - knots[span]) / (knots[span + 1] - knots[span]), other.domainStart(),
+               other.domainEnd());
+    }
+
+    void trim(const std::vector<TrimPiece>& pieces, double from, double upTo)
     {
         for (const TrimPiece& piece : pieces) {
             const auto place = [&](double t) {
                 return Vec2(glm::mix(piece.u.front(), piece.u.back(), t),
                             glm::mix(piece.v.front(), piece.v.back(), t));
             };
-            add(piece.spanU, piece.spanV, piece.from, piece.to, place);
+            add(piece.spanU, piece.spanV, (from - piece.from) / (piece.to - piece.from),
+                (upTo - piece.from) / (piece.to - piece.from), place);
         }
     }
 
 private:
-    // What of `start` to `end`, where the edge runs through a KSQuad, belongs to the line.
-    template <class Place>
-    void add(int spanU, int spanV, double start, double end, const Place& place)
+    // Through all spans of the other direction, the parameter `across` standing still at t of a span.
+    void across(Direction direction, int stillSpan, double t, double from, double upTo)
     {
-        const double from = std::max((line_.edge.from - start) / (end - start), 0.0);
-        const double upTo = std::min((line_.edge.to - start) / (end - start), 1.0);
+        const bool isU = direction == Direction::U;
+        const KnotVector& knots = isU ? surface_.knotsV() : surface_.knotsU();
+        for (const int span : knots.spans()) {
+            const double start = knots[span];
+            const double length = knots[span + 1] - start;
+            const auto place = [&](double s) { return isU ? Vec2(t, s) : Vec2(s, t); };
+            add(isU ? stillSpan : span, isU ? span : stillSpan, (from - start) / length,
+                (upTo - start) / length, place);
+        }
+    }
+
+    // What of `from` to `upTo` lies between 0 and 1, where the line runs through a KSQuad.
+    template <class Place>
+    void add(int spanU, int spanV, double from, double upTo, const Place& place)
+    {
+        from = std::max(from, 0.0);
+        upTo = std::min(upTo, 1.0);
         if (!(from < upTo))
             return;
         const std::vector<int>& spansU = surface_.knotsU().spans();
@@ -58,68 +80,56 @@ private:
         const auto b = std::lower_bound(spansV.begin(), spansV.end(), spanV) - spansV.begin();
         const auto ksquad =
             static_cast<std::uint32_t>(static_cast<size_t>(a) * spansV.size() + static_cast<size_t>(b));
-        to_.push_back({first_ + ksquad, gpu::vec2(place(from)), gpu::vec2(place(upTo)), line_.colour,
-                       static_cast<float>(0.5 * line_.widthPx)});
+        to_.push_back({first_ + ksquad, gpu::vec2(place(from)), gpu::vec2(place(upTo)), colour_, halfWidth_});
     }
 
     const NurbsSurface& surface_;
     std::uint32_t first_;
-    const EdgeLine& line_;
+    std::uint32_t colour_;
+    float halfWidth_;
     std::vector<gpu::EdgeLineRecord>& to_;
 };
-
-bool isSame(const std::vector<gpu::EdgeLineRecord>& a, const std::vector<gpu::EdgeLineRecord>& b)
-{
-    return a.size() == b.size() &&
-           (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(a.front())) == 0);
-}
 
 }  // namespace
 
 void EdgeLines::add(const EdgeLine& line, const Resident& resident, std::vector<gpu::EdgeLineRecord>& to)
 {
-    Adding adding(resident, line, to);
+    Adding adding(resident, line.colour, line.widthPx, to);
     if (!line.edge.trim)
-        adding.side();
+        adding.side(line.edge);
     else if (const std::vector<TrimPiece>* pieces =
                  trimLines_.of(line.object, resident.object, *line.edge.trim))
-        adding.trim(*pieces);
+        adding.trim(*pieces, line.edge.from, line.edge.to);
 }
 
-void EdgeLines::prepare(const std::vector<EdgeLine>& lines, const std::vector<Resident>& residents,
-                        const Specialization& specialization)
+void EdgeLines::prepare(const std::vector<EdgeLine>& edgeLines, const std::vector<IsoLine>& isoLines,
+                        const std::vector<Resident>& residents, const Specialization& specialization)
 {
     std::vector<gpu::EdgeLineRecord> records;
-    for (const EdgeLine& line : lines)
+    for (const EdgeLine& line : edgeLines)
         if (const Resident* resident = findResident(residents, line.object))
             add(line, *resident, records);
+    for (const IsoLine& line : isoLines)
+        if (const Resident* resident = findResident(residents, line.object))
+            Adding(*resident, line.colour, line.widthPx, records).iso(line.across, line.parameter);
     specialization_ = specialization;
-    if (records.empty()) {
-        held_.clear();
-        return;
-    }
-    if (pipelines_.count(specialization) == 0)
+    if (!records.empty() && pipelines_.count(specialization) == 0)
         pipelines_[specialization] = makeGraphicsPipeline(device_, bindings_,
                                                           {.stages = {"edge_line.vert", "edge_line.frag"},
                                                            .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP,
                                                            .overlay = true,
                                                            .lines = true,
                                                            .specialization = specialization});
-    if (isSame(records, held_))
-        return;
-    uploader_.forget(buffer_);
-    bindings_.provide(BINDING_EDGE_LINES, buffer_, records.size() * sizeof(gpu::EdgeLineRecord));
-    uploader_.write(buffer_, 0, std::span(std::as_const(records)));
-    held_ = std::move(records);
+    records_.send(std::move(records));
 }
 
 void EdgeLines::draw(VkCommandBuffer commands) const
 {
-    if (held_.empty())
+    if (records_.isEmpty())
         return;
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.at(specialization_).get());
     vkCmdSetDepthCompareOp(commands, VK_COMPARE_OP_GREATER_OR_EQUAL);
-    vkCmdDraw(commands, 2 * (EDGE_LINE_SEGMENTS + 1), static_cast<std::uint32_t>(held_.size()), 0, 0);
+    vkCmdDraw(commands, 2 * (EDGE_LINE_SEGMENTS + 1), records_.count(), 0, 0);
 }
 
 }  // namespace knotspan

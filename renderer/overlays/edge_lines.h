@@ -1,10 +1,11 @@
-// Lines along the edges of surfaces, evaluated on the device: what travels is which line in the parameters of
-// which KSQuad has which colour, and only where that changed.
+// Lines on surfaces, along their edges and where a parameter has a value, evaluated on the device: what
+// travels is which line in the parameters of which KSQuad has which colour, and only where that changed.
 #pragma once
 
 #include <map>
 
 #include "renderer/frame.h"
+#include "renderer/overlays/sent_records.h"
 #include "renderer/overlays/trim_lines.h"
 #include "renderer/scene/gpu_scene.h"
 
@@ -15,16 +16,16 @@ public:
     EdgeLines(const Device& device, Bindings& bindings, Uploader& uploader)
         : device_(device),
           bindings_(bindings),
-          uploader_(uploader)
+          records_(bindings, uploader, BINDING_EDGE_LINES)
     {
     }
 
     // With stages for `specialization`, whose evaluator and order are the scene's. Without lines nothing is
     // made and nothing sent.
-    void prepare(const std::vector<EdgeLine>& lines, const std::vector<Resident>& residents,
-                 const Specialization& specialization);
+    void prepare(const std::vector<EdgeLine>& edgeLines, const std::vector<IsoLine>& isoLines,
+                 const std::vector<Resident>& residents, const Specialization& specialization);
     // What was written may not have arrived.
-    void forget() { held_.clear(); }
+    void forget() { records_.forget(); }
     // Inside a rendering, with viewport and bindings set: what prepare() was given.
     void draw(VkCommandBuffer commands) const;
 
@@ -32,13 +33,11 @@ private:
     void add(const EdgeLine& line, const Resident& resident, std::vector<gpu::EdgeLineRecord>& to);
 
     const Device& device_;
-    Bindings& bindings_;
-    Uploader& uploader_;
+    const Bindings& bindings_;
     std::map<Specialization, Pipeline> pipelines_;  // made when first needed
     Specialization specialization_;
-    Buffer buffer_;
     TrimLines trimLines_;
-    std::vector<gpu::EdgeLineRecord> held_;  // what the device has
+    SentRecords<gpu::EdgeLineRecord> records_;
 };
 
 }  // namespace knotspan

@@ -1,6 +1,9 @@
 #include "renderer/scene/facing_arrays.h"
 
 #include <algorithm>
+#include <iterator>
+#include <numeric>
+#include <set>
 
 #include <tbb/parallel_for.h>
 
@@ -63,15 +66,17 @@ std::vector<std::uint32_t> touched(const NurbsSurface& before, const NurbsSurfac
 }  // namespace
 
 std::vector<FacingArrays::Run> FacingArrays::update(const std::vector<Resident>& residents, Origins origins,
-                                                    FacingStrength strength)
+                                                    FacingStrength strength, const ResidentChanges* log)
 {
+    const auto logged = log != nullptr ? log->since(seen_) : std::nullopt;
     bool all = strength != strength_ || origins != origins_ || held_.size() != residents.size();
-    for (size_t k = 0; !all && k < residents.size(); ++k)
+    for (size_t k = 0; !all && !logged && k < residents.size(); ++k)
         all = !isSameShape(held_[k].object->surface, residents[k].object->surface);
     if (all) {
         clear();
         held_.resize(residents.size());
     }
+    seen_ = log != nullptr ? log->now() : 0;
     strength_ = strength;
     origins_ = origins;
     if (strength == FacingStrength::none || residents.empty())
@@ -82,31 +87,84 @@ std::vector<FacingArrays::Run> FacingArrays::update(const std::vector<Resident>&
         if (strength == FacingStrength::rays)
             words_.resize(last.firstFacingWord + ksquadsOf(last) * wordsEach(last.object->surface));
     }
-    std::vector<std::vector<std::uint32_t>> numbers(residents.size());
-    tbb::parallel_for(size_t{0}, residents.size(), [&](size_t k) {
-        const Resident& resident = residents[k];
-        Held& held = held_[k];
-        if (held.object == nullptr || !isSame(held.frame, resident.frame)) {
-            numbers[k].resize(ksquadsOf(resident));
-            for (std::uint32_t number = 0; number < numbers[k].size(); ++number)
-                numbers[k][number] = number;
-        } else if (held.object != resident.object) {
-            numbers[k] = touched(held.object->surface, resident.object->surface);
-        }
-        if (!numbers[k].empty())
-            make(resident, origins, numbers[k]);
-        held = {resident.object, resident.frame};
+    std::vector<Task> work = tasks(residents, all ? std::nullopt : logged);
+    tbb::parallel_for(size_t{0}, work.size(), [&](size_t k) {
+        Task& task = work[k];
+        const Resident& resident = residents[task.resident];
+        plan(resident, held_[task.resident], task);
+        if (!task.make.empty())
+            make(resident, origins, task.make);
+        for (const std::uint32_t number : task.forget)
+            boxes_[resident.firstKsquad + number] = neverFacingAway();
     });
+    moving_.clear();
     std::vector<Run> runs;
-    for (size_t k = 0; k < residents.size(); ++k)
-        for (const std::uint32_t number : numbers[k]) {
-            const std::uint32_t ksquad = residents[k].firstKsquad + number;
+    for (const Task& task : work) {
+        if (held_[task.resident].moved)
+            moving_.push_back(task.resident);
+        for (const std::uint32_t number : task.changed) {
+            const std::uint32_t ksquad = residents[task.resident].firstKsquad + number;
             if (!runs.empty() && runs.back().first + runs.back().count == ksquad)
                 ++runs.back().count;
             else
                 runs.push_back({ksquad, 1});
         }
+    }
     return runs;
+}
+
+// Of the residents that may be others, and those that moved last.
+std::vector<FacingArrays::Task>
+FacingArrays::tasks(const std::vector<Resident>& residents,
+                    std::optional<std::span<const std::uint32_t>> logged) const
+{
+    std::set<std::uint32_t> looked(moving_.begin(), moving_.end());
+    if (logged)
+        for (const std::uint32_t k : *logged)
+            looked.insert(k);
+    std::vector<Task> all;
+    const auto add = [&all](std::uint32_t resident) { all.push_back({resident, {}, {}, {}}); };
+    if (logged)
+        for (const std::uint32_t resident : looked)
+            add(resident);
+    else
+        for (std::uint32_t resident = 0; resident < residents.size(); ++resident)
+            add(resident);
+    return all;
+}
+
+// What of it is made now, and what is only forgotten: the rest is left to when it rests.
+void FacingArrays::plan(const Resident& resident, Held& held, Task& task) const
+{
+    const bool canWait = held.moved && strength_ == FacingStrength::box && isSame(held.frame, resident.frame);
+    std::vector<std::uint32_t> stale = staleOf(resident, held);
+    std::vector<std::uint32_t> either;
+    std::set_union(stale.begin(), stale.end(), held.later.begin(), held.later.end(),
+                   std::back_inserter(either));
+    if (canWait && !stale.empty()) {
+        std::set_difference(stale.begin(), stale.end(), held.later.begin(), held.later.end(),
+                            std::back_inserter(task.forget));
+        task.changed = task.forget;
+        held.later = std::move(either);
+    } else {
+        task.make = task.changed = std::move(either);
+        held.later.clear();
+    }
+    held.moved = held.object != nullptr && !stale.empty();
+    held.object = resident.object;
+    held.frame = resident.frame;
+}
+
+std::vector<std::uint32_t> FacingArrays::staleOf(const Resident& resident, const Held& held)
+{
+    std::vector<std::uint32_t> numbers;
+    if (held.object == nullptr || !isSame(held.frame, resident.frame)) {
+        numbers.resize(ksquadsOf(resident));
+        std::iota(numbers.begin(), numbers.end(), 0U);
+    } else if (held.object != resident.object) {
+        numbers = touched(held.object->surface, resident.object->surface);
+    }
+    return numbers;
 }
 
 void FacingArrays::make(const Resident& resident, Origins origins, const std::vector<std::uint32_t>& numbers)

@@ -174,12 +174,6 @@ gpu::FacingRecord packed(const glm::vec4& axis, const glm::vec3& reach, double u
             {glm::packHalf2x16({reach.x, reach.y}), glm::packHalf1x16(reach.z) | exponent << 16}};
 }
 
-// Dropped from nowhere.
-gpu::FacingRecord never()
-{
-    return packed({1, 0, 0, 0}, {-1, 0, 0}, 1);
-}
-
 std::uint32_t byteOf(double steps)
 {
     return static_cast<std::uint32_t>(std::lrint(std::clamp(steps, -127.0, 127.0))) & 0xffU;
@@ -198,6 +192,12 @@ void packRays(const RayFrame& frame, const Vec3& reach, const Rays& rays, std::s
 
 }  // namespace
 
+// Dropped from nowhere.
+gpu::FacingRecord neverFacingAway()
+{
+    return packed({1, 0, 0, 0}, {-1, 0, 0}, 1);
+}
+
 gpu::FacingRecord makeFacingForms(const BezierNet& net, const Vec3& origin, std::span<std::uint32_t> rays)
 {
     thread_local LocalNet local;
@@ -207,11 +207,11 @@ gpu::FacingRecord makeFacingForms(const BezierNet& net, const Vec3& origin, std:
     constexpr double kLost = 0x1p-14;  // of the normals
     makeLocal(net, origin, local);
     if (local.unit == 0 || local.rounding > kLost)
-        return never();
+        return neverFacingAway();
     makeFacingNet(local.net, local.rounding, facing);
     Vec4 axis(0);
     if (!makeRays(facing, sides) || !findAxis(sides, axis))
-        return never();
+        return neverFacingAway();
 
     // What the device gets is rounded; the box is for that.
     const glm::vec4 middle(centred(axis, sides));

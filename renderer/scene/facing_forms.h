@@ -16,6 +16,7 @@ namespace knotspan {
 // The box says "never" (reach.x < 0) of KSQuads that no eye can be told to see from behind: whose rays lie on
 // no side of a plane, that are one point, or whose shape is lost in float's rounding.
 [[nodiscard]] gpu::FacingRecord makeFacingForms(const BezierNet& net, const Vec3& origin,
-                                             std::span<std::uint32_t> rays);
+                                                std::span<std::uint32_t> rays);
+[[nodiscard]] gpu::FacingRecord neverFacingAway();
 
 }  // namespace knotspan

@@ -5,9 +5,9 @@
 namespace knotspan {
 
 void FacingTable::update(const std::vector<Resident>& residents, FacingArrays::Origins origins,
-                         FacingStrength strength)
+                         FacingStrength strength, const ResidentChanges& log)
 {
-    const auto runs = arrays_.update(residents, origins, strength);
+    const auto runs = arrays_.update(residents, origins, strength, &log);
     const auto provide = [&](Buffer& buffer, int binding, size_t bytes) {
         if (buffer.bytes() != bytes)
             uploader_.forget(buffer);

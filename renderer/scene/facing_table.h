@@ -11,8 +11,9 @@ class FacingTable {
 public:
     FacingTable(Bindings& bindings, Uploader& uploader) : bindings_(bindings), uploader_(uploader) {}
 
+    // `log`: of the residents.
     void update(const std::vector<Resident>& residents, FacingArrays::Origins origins,
-                FacingStrength strength);
+                FacingStrength strength, const ResidentChanges& log);
     // What was written may not have arrived: the next update() sends everything.
     void forget() { arrays_.clear(); }
 

@@ -27,9 +27,10 @@ void note(const EdgePart& part, const NurbsSurface& surface, const BorderNumbers
 
 }  // namespace
 
-const std::vector<std::uint8_t>& FriendSides::of(const std::vector<Resident>& residents)
+const std::vector<std::uint8_t>& FriendSides::of(const std::vector<Resident>& residents,
+                                                 const ResidentChanges* log)
 {
-    const HeldResidents::Difference difference = held_.take(residents);
+    const HeldResidents::Difference difference = held_.take(residents, log);
     if (difference.isEmpty())
         return sides_;
     if (difference.anew)

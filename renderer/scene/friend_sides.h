@@ -9,8 +9,10 @@ namespace knotspan {
 
 class FriendSides {
 public:
-    // Looks again at what moved. By border side, as border_curves.h numbers them: 1 or 0.
-    const std::vector<std::uint8_t>& of(const std::vector<Resident>& residents);
+    // Looks again at what moved. By border side, as border_curves.h numbers them: 1 or 0. `log`: of the
+    // residents; null: all are compared.
+    const std::vector<std::uint8_t>& of(const std::vector<Resident>& residents,
+                                        const ResidentChanges* log = nullptr);
 
 private:
     Friends friends_;

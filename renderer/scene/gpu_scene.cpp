@@ -35,18 +35,50 @@ GpuScene::GpuScene(Bindings& bindings, Uploader& uploader) : bindings_(bindings)
 
 void GpuScene::sync(const Scene& scene, Joins joins)
 {
-    const VisibleObjects visible = visibleObjects(scene);
-    const bool sameObjects = std::equal(
-        visible.begin(), visible.end(), residents_.begin(), residents_.end(),
-        [](const auto& wanted, const auto& held) {
-            return wanted.first == held.id && (wanted.second == held.object ||
-                                               isSameShape(wanted.second->surface, held.object->surface));
-        });
-    if (!sameObjects)
-        rebuild(visible);
+    if (const auto changed = changesTo(scene))
+        replace(scene, *changed, joins);
     else
-        replace(visible, joins);
-    bounds_ = scene.bounds();
+        rebuild(visibleObjects(scene));
+    held_ = scene;
+}
+
+std::optional<std::vector<size_t>> GpuScene::changesTo(const Scene& scene) const
+{
+    if (auto ids = scene.changedSince(held_))
+        return exchangedIn(scene, std::move(*ids));
+    const VisibleObjects visible = visibleObjects(scene);
+    if (visible.size() != residents_.size())
+        return std::nullopt;
+    std::vector<size_t> changed;
+    for (size_t k = 0; k < visible.size(); ++k) {
+        const auto& [id, object] = visible[k];
+        if (id != residents_[k].id || !isSameShape(object->surface, residents_[k].object->surface))
+            return std::nullopt;
+        if (object != residents_[k].object)
+            changed.push_back(k);
+    }
+    return changed;
+}
+
+// All others are those on the device.
+std::optional<std::vector<size_t>> GpuScene::exchangedIn(const Scene& scene, std::vector<ObjectId> ids) const
+{
+    std::sort(ids.begin(), ids.end());
+    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+    std::vector<size_t> changed;
+    for (const ObjectId id : ids) {
+        const SharedObject object = scene.find(id);
+        const Resident* const resident = find(id);
+        const bool shows = object != nullptr && object->visible;
+        if (shows != (resident != nullptr))
+            return std::nullopt;
+        if (!shows || object == resident->object)
+            continue;
+        if (!isSameShape(object->surface, resident->object->surface))
+            return std::nullopt;
+        changed.push_back(indexOf(*resident));
+    }
+    return changed;
 }
 
 void GpuScene::rebuild(const VisibleObjects& visible)
@@ -88,8 +120,13 @@ void GpuScene::sendModel(std::vector<Resident> residents)
     const auto tables = tablesOf(residents);
     sendTables(tables);
     sendPoints(residents);
+    std::vector<Box> boxes;
+    for (const Resident& resident : residents)
+        boxes.push_back(resident.object->bounds());
+    boxes_ = Totals<Box>(boxes);
     residents_ = std::move(residents);
     ksquadCount_ = static_cast<std::uint32_t>(tables.ksquads.size());
+    log_.restart();
     rebuilt_ = true;
 }
 
@@ -143,12 +180,15 @@ void GpuScene::sendTables(const PackedTables<float>& tables)
     send(spanTables_, BINDING_SPAN_TABLES, tables.spanTables);
 }
 
-void GpuScene::replace(const VisibleObjects& visible, Joins joins)
+// `changed` are increasing.
+void GpuScene::replace(const Scene& scene, const std::vector<size_t>& changed, Joins joins)
 {
     std::vector<Change> changes;
-    for (size_t k = 0; k < visible.size(); ++k)
-        if (visible[k].second != residents_[k].object)
-            changes.push_back({k, std::exchange(residents_[k].object, visible[k].second)});
+    for (const size_t k : changed) {
+        changes.push_back({k, std::exchange(residents_[k].object, scene.find(residents_[k].id))});
+        boxes_.set(k, residents_[k].object->bounds());
+        log_.add(static_cast<std::uint32_t>(k));
+    }
     tbb::parallel_for(size_t{0}, changes.size(), [&](size_t k) { lookAt(changes[k]); });
     if (withNets_)
         for (const Change& change : changes)
@@ -225,8 +265,15 @@ void GpuScene::updateBorders()
     std::vector<CoincidentEdges::Change> moved;
     for (const size_t index : std::exchange(unsearched_, {}))
         moved.push_back({static_cast<std::uint32_t>(index), placedSurface(*residents_[index].object)});
-    if (const auto before = edges_.update(moved))
-        sendBorders(*before);
+    const auto changes = edges_.update(moved);
+    if (changes && changes->before) {
+        sendBorders(*changes->before);
+    } else if (changes) {
+        for (const std::uint32_t side : changes->sides)
+            uploader_.write(borderSides_, side, all(edges_.tables().sides).subspan(side, 1));
+        for (const std::uint32_t corner : changes->corners)
+            uploader_.write(borderCorners_, corner, all(edges_.tables().corners).subspan(corner, 1));
+    }
 }
 
 void GpuScene::setFriends(const std::vector<std::uint8_t>& sides)
@@ -258,6 +305,9 @@ void GpuScene::listMemory(std::vector<HeldMemory>& to) const
 void GpuScene::forget()
 {
     residents_.clear();
+    held_ = {};
+    boxes_ = {};
+    log_.restart();
     records_.clear();
     views_.clear();
     shownShells_.clear();
@@ -265,21 +315,38 @@ void GpuScene::forget()
     pointCount_ = 0;
 }
 
-void GpuScene::updateViews(const Camera& camera, const std::vector<ObjectId>& highlighted,
-                           const SideTables& sides)
+void GpuScene::updateViews(const Camera& camera, const Tinted& tinted, const SideTables& sides)
 {
+    Viewed wanted{camera, tinted.highlighted, tinted.hovered, sides.revision};
+    const auto changed = log_.since(std::exchange(viewedAt_, log_.now()));
+    if (changed && sides.revision != 0 && wanted == viewed_ && views_.size() == residents_.size()) {
+        for (const std::uint32_t k : *changed) {
+            const gpu::SurfaceView before = std::exchange(views_[k], viewOf(k, wanted, sides));
+            if (std::memcmp(&before, &views_[k], sizeof(before)) != 0)
+                uploader_.write(surfaceViews_, k, all(views_).subspan(k, 1));
+        }
+        return;
+    }
     std::vector<gpu::SurfaceView> views;
     views.reserve(residents_.size());
-    for (size_t k = 0; k < residents_.size(); ++k) {
-        const Resident& resident = residents_[k];
-        views.push_back(surfaceView(resident, camera, sides.sides[k], sides.shells[k]));
-        if (std::find(highlighted.begin(), highlighted.end(), resident.id) != highlighted.end())
-            views.back().highlight = 1.0F;
-    }
+    for (size_t k = 0; k < residents_.size(); ++k)
+        views.push_back(viewOf(k, wanted, sides));
+    viewed_ = std::move(wanted);
     const auto before = std::exchange(views_, std::move(views));
     sendChanges(surfaceViews_, BINDING_SURFACE_VIEWS, before, views_);
     const auto shownBefore = std::exchange(shownShells_, sides.shown);
     sendChanges(shownShellBuffer_, BINDING_SHOWN_SHELLS, shownBefore, shownShells_);
+}
+
+gpu::SurfaceView GpuScene::viewOf(size_t k, const Viewed& as, const SideTables& sides) const
+{
+    const Resident& resident = residents_[k];
+    gpu::SurfaceView view = surfaceView(resident, as.camera, sides.sides[k], sides.shells[k]);
+    if (std::find(as.highlighted.begin(), as.highlighted.end(), resident.id) != as.highlighted.end())
+        view.highlight = 1.0F;
+    else if (resident.id == as.hovered)
+        view.highlight = 0.5F;
+    return view;
 }
 
 void GpuScene::provide(Buffer& buffer, int binding, VkDeviceSize bytes)

@@ -6,11 +6,13 @@
 #include <set>
 #include <utility>
 
+#include "model/core/totals.h"
 #include "model/scene/deformation.h"
 #include "renderer/scene/bezier_nets.h"
 #include "renderer/scene/camera.h"
 #include "renderer/scene/held_memory.h"
 #include "renderer/scene/packed_scene.h"
+#include "renderer/scene/resident_changes.h"
 #include "renderer/scene/shared_edges.h"
 #include "renderer/scene/shown_sides.h"
 #include "renderer/vulkan/pipeline.h"
@@ -27,6 +29,8 @@ public:
 
     // Refuses, with a sentence, what exceeds the device's buffers; nothing is held then.
     void sync(const Scene& scene, Joins joins = Joins::anew);
+    // Whether a sync() to it would change control points, colours and places at most.
+    [[nodiscard]] bool isOfSameShape(const Scene& scene) const { return changesTo(scene).has_value(); }
     // What was written may not have arrived: the next sync() sends everything.
     void forget();
     // An evaluator other than `automatic`. Where it changes, the tables of the spans are sent and the KSQuad
@@ -39,10 +43,17 @@ public:
     // Whether everything was packed anew since the last call.
     [[nodiscard]] bool takeRebuilt() { return std::exchange(rebuilt_, false); }
 
+    // What of the surfaces is tinted.
+    struct Tinted {
+        const std::vector<ObjectId>& highlighted;
+        std::optional<ObjectId> hovered;
+    };
     // All surfaces as a camera sees them; uploaded where they differ from the last ones.
-    void updateViews(const Camera& camera, const std::vector<ObjectId>& highlighted, const SideTables& sides);
+    void updateViews(const Camera& camera, const Tinted& tinted, const SideTables& sides);
 
     [[nodiscard]] const std::vector<Resident>& residents() const { return residents_; }
+    // Their log.
+    [[nodiscard]] const ResidentChanges& changes() const { return log_; }
     // Null where it is not on the device.
     [[nodiscard]] const Resident* find(ObjectId id) const { return findResident(residents_, id); }
     [[nodiscard]] std::uint32_t indexOf(const Resident& resident) const
@@ -55,7 +66,7 @@ public:
     [[nodiscard]] VkBuffer controlPointBuffer() const { return controlPoints_.get(); }
     [[nodiscard]] std::uint32_t controlPointCount() const { return pointCount_; }
     [[nodiscard]] bool isRebuilt() const { return rebuilt_; }  // see takeRebuilt()
-    [[nodiscard]] const Box& bounds() const { return bounds_; }
+    [[nodiscard]] Box bounds() const { return boxes_.all(); }
     [[nodiscard]] const BorderTables& borders() const { return edges_.tables(); }
     // Which border sides have a friend, as FriendSides says.
     void setFriends(const std::vector<std::uint8_t>& sides);
@@ -64,6 +75,11 @@ public:
     void listMemory(std::vector<HeldMemory>& to) const;
 
 private:
+    // The residents that are other objects in that scene; nothing where others would be on the device, or
+    // one of another shape.
+    [[nodiscard]] std::optional<std::vector<size_t>> changesTo(const Scene& scene) const;
+    [[nodiscard]] std::optional<std::vector<size_t>> exchangedIn(const Scene& scene,
+                                                                 std::vector<ObjectId> ids) const;
     void rebuild(const VisibleObjects& visible);
     void sendModel(std::vector<Resident> residents);
     void sendPoints(const std::vector<Resident>& residents);
@@ -71,6 +87,15 @@ private:
     [[nodiscard]] PackedTables<float> tablesOf(const std::vector<Resident>& residents) const;
     [[nodiscard]] gpu::SurfaceRecord recordOf(const Resident& resident) const;
 
+    // What the views of the surfaces are made for.
+    struct Viewed {
+        Camera camera;
+        std::vector<ObjectId> highlighted;
+        std::optional<ObjectId> hovered;
+        std::uint64_t sides = 0;  // their revision
+
+        [[nodiscard]] bool operator==(const Viewed&) const = default;
+    };
     // A resident that is now another object of the same shape.
     struct Change {
         size_t index = 0;
@@ -79,11 +104,12 @@ private:
         bool framed = false;  // its points count from another origin
         bool recordDiffers = false;
     };
-    void replace(const VisibleObjects& visible, Joins joins);
+    void replace(const Scene& scene, const std::vector<size_t>& changed, Joins joins);
     void lookAt(Change& change);
     void sendChangedPoints(const Change& change);
     template <class Test, class Send>
     static void sendRuns(const std::vector<Change>& changes, const Test& test, const Send& sendOne);
+    [[nodiscard]] gpu::SurfaceView viewOf(size_t k, const Viewed& as, const SideTables& sides) const;
     void updateBorders();
     void sendBorders(const BorderTables& before);
     void provide(Buffer& buffer, int binding, VkDeviceSize bytes);
@@ -102,9 +128,13 @@ private:
     std::uint32_t ksquadCount_ = 0;
     std::uint32_t pointCount_ = 0;
     bool rebuilt_ = false;
-    Box bounds_;
+    Scene held_;  // that the residents are of
+    ResidentChanges log_;
+    Totals<Box> boxes_;  // by resident
     std::vector<gpu::SurfaceRecord> records_;
     std::vector<gpu::SurfaceView> views_;
+    Viewed viewed_;
+    ResidentChanges::Moment viewedAt_ = 0;
     std::vector<std::uint32_t> shownShells_;
     Buffer surfaces_;
     Buffer surfaceViews_;

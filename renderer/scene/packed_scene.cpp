@@ -47,7 +47,7 @@ std::optional<std::uint32_t> ksquadNumber(const std::vector<Resident>& residents
 
 bool isSameShape(const NurbsSurface& a, const NurbsSurface& b)
 {
-    return a.knotsU() == b.knotsU() && a.knotsV() == b.knotsV();
+    return &a == &b || (a.knotsU() == b.knotsU() && a.knotsV() == b.knotsV());
 }
 
 PlacedSurface placedSurface(const SceneObject& object)

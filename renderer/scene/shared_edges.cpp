@@ -1,6 +1,9 @@
 #include "renderer/scene/shared_edges.h"
 
+#include <algorithm>
+#include <cstring>
 #include <unordered_map>
+#include <utility>
 
 namespace knotspan {
 
@@ -43,13 +46,58 @@ SharedEdges::SharedEdges(const std::vector<PlacedSurface>& surfaces) : edges_(su
     makeTables();
 }
 
-std::optional<BorderTables> SharedEdges::update(const std::vector<CoincidentEdges::Change>& changes)
+std::optional<BorderChanges> SharedEdges::update(const std::vector<CoincidentEdges::Change>& changes)
 {
     if (!edges_.update(changes))
         return std::nullopt;
-    BorderTables before = std::move(tables_);
+    BorderChanges changed;
+    if (updateEntries(changed))
+        return changed;
+    changed = {std::move(tables_), {}, {}};
     makeTables();
-    return before;
+    return changed;
+}
+
+bool SharedEdges::updateEntries(BorderChanges& changes)
+{
+    const CoincidentEdges::Touched& touched = edges_.touched();
+    const auto isOrWasInPieces = [this](std::uint32_t side) {
+        return isInPieces(side) || (tables_.sides[side].flags & BORDER_KIND) == BORDER_PIECES;
+    };
+    if (touched.all || std::any_of(touched.sides.begin(), touched.sides.end(), isOrWasInPieces))
+        return false;
+    for (const std::uint32_t side : touched.sides) {
+        gpu::BorderSide entry = entryOf(side);
+        entry.flags |= isFriendly(side) ? BORDER_FRIEND : 0U;
+        const gpu::BorderSide before = std::exchange(tables_.sides[side], entry);
+        if (std::memcmp(&before, &entry, sizeof(entry)) != 0)
+            changes.sides.push_back(side);
+    }
+    for (const std::uint32_t corner : touched.corners) {
+        const std::uint32_t name = edges_.corners().nameOf(edges_.corners().ownerOf(corner));
+        if (std::exchange(tables_.corners[corner], name) != name)
+            changes.corners.push_back(corner);
+    }
+    return true;
+}
+
+bool SharedEdges::isInPieces(std::uint32_t side) const
+{
+    const CoincidentEdge* const edge = edges_.edgeAlong(side);
+    return edge != nullptr && !edges_.isCollapsed(side) && !joinsTwoWholes(*edge);
+}
+
+gpu::BorderSide SharedEdges::entryOf(std::uint32_t side) const
+{
+    const CoincidentEdge* const edge = edges_.edgeAlong(side);
+    if (edges_.isCollapsed(side))
+        return {0, BORDER_COLLAPSED};
+    if (edge == nullptr)
+        return {0, BORDER_OPEN};
+    const bool owns = edge->members[0].side == side;
+    const bool reversed = isReversed(edge->members[0]) != isReversed(edge->members[1]);
+    return {names_[edge->members[owns ? 1 : 0].side],
+            BORDER_WHOLE | (owns ? BORDER_OWNER : 0) | (reversed ? BORDER_REVERSED : 0)};
 }
 
 std::optional<BorderTables> SharedEdges::setFriends(const std::vector<std::uint8_t>& sides)
@@ -62,19 +110,23 @@ std::optional<BorderTables> SharedEdges::setFriends(const std::vector<std::uint8
     return before;
 }
 
-void SharedEdges::markFriends()
+bool SharedEdges::isFriendly(std::uint32_t side) const
 {
     const bool told = friends_.size() == edges_.sideCount();
-    const auto isFriend = [&](std::uint32_t side) { return friends_[side] != 0; };
+    const CoincidentEdge* const edge = edges_.edgeAlong(side);
+    if (!told)
+        return edge != nullptr;
+    if (edge == nullptr)
+        return friends_[side] != 0;
+    return std::all_of(edge->members.begin(), edge->members.end(),
+                       [&](const EdgeMember& member) { return friends_[member.side] != 0; });
+}
+
+void SharedEdges::markFriends()
+{
     for (std::uint32_t side = 0; side < edges_.sideCount(); ++side) {
-        const CoincidentEdge* const edge = edges_.edgeAlong(side);
-        const bool friendly =
-            !told             ? edge != nullptr
-            : edge != nullptr ? std::all_of(edge->members.begin(), edge->members.end(),
-                                            [&](const EdgeMember& member) { return isFriend(member.side); })
-                              : isFriend(side);
         tables_.sides[side].flags &= ~BORDER_FRIEND;
-        tables_.sides[side].flags |= friendly ? BORDER_FRIEND : 0U;
+        tables_.sides[side].flags |= isFriendly(side) ? BORDER_FRIEND : 0U;
     }
 }
 
@@ -87,24 +139,16 @@ void SharedEdges::makeTables()
 
     std::unordered_map<const CoincidentEdge*, std::uint32_t> firstUses;
     for (std::uint32_t side = 0; side < edges_.sideCount(); ++side) {
-        const CoincidentEdge* const edge = edges_.edgeAlong(side);
-        if (edges_.isCollapsed(side)) {
-            tables_.sides.push_back({0, BORDER_COLLAPSED});
-        } else if (edge == nullptr) {
-            tables_.sides.push_back({0, BORDER_OPEN});
-        } else if (joinsTwoWholes(*edge)) {
-            const bool owns = edge->members[0].side == side;
-            const bool reversed = isReversed(edge->members[0]) != isReversed(edge->members[1]);
-            tables_.sides.push_back(
-                {names_[edge->members[owns ? 1 : 0].side],
-                 BORDER_WHOLE | (owns ? BORDER_OWNER : 0) | (reversed ? BORDER_REVERSED : 0)});
-        } else {
-            const auto [found, isNew] =
-                firstUses.try_emplace(edge, static_cast<std::uint32_t>(tables_.uses.size()));
-            if (isNew)
-                addUses(*edge);
-            addPieces(side, *edge, found->second);
+        if (!isInPieces(side)) {
+            tables_.sides.push_back(entryOf(side));
+            continue;
         }
+        const CoincidentEdge* const edge = edges_.edgeAlong(side);
+        const auto [found, isNew] =
+            firstUses.try_emplace(edge, static_cast<std::uint32_t>(tables_.uses.size()));
+        if (isNew)
+            addUses(*edge);
+        addPieces(side, *edge, found->second);
     }
     markFriends();
 }

@@ -16,16 +16,24 @@ struct BorderTables {
     std::vector<gpu::BorderUse> uses;
 };
 
+// What an update changed of them.
+struct BorderChanges {
+    std::optional<BorderTables> before;  // all may be others; nothing: only these entries are
+    std::vector<std::uint32_t> sides;
+    std::vector<std::uint32_t> corners;
+};
+
 class SharedEdges {
 public:
     explicit SharedEdges(const std::vector<PlacedSurface>& surfaces = {});
 
-    // The result is as if all were made anew, to the bit. Returns the tables as they were before, or nothing
-    // where no border moved: they stay as they are.
-    std::optional<BorderTables> update(const std::vector<CoincidentEdges::Change>& changes);
+    // The result is as if all were made anew, to the bit. Returns nothing where no border moved: the tables
+    // stay as they are.
+    std::optional<BorderChanges> update(const std::vector<CoincidentEdges::Change>& changes);
 
     // Which sides have a friend (friend_sides.h). An edge counts as friendly where all its sides do; before
-    // this is told, where anybody shares it. Returns as update() does.
+    // this is told, where anybody shares it. Returns the tables as they were before, or nothing where they
+    // stay.
     std::optional<BorderTables> setFriends(const std::vector<std::uint8_t>& sides);
 
     [[nodiscard]] const BorderTables& tables() const { return tables_; }
@@ -33,6 +41,12 @@ public:
 
 private:
     void makeTables();
+    // Where no side that was touched is cut into pieces, or was; else false.
+    bool updateEntries(BorderChanges& changes);
+    [[nodiscard]] bool isInPieces(std::uint32_t side) const;
+    // Of a side that is not in pieces, without its friends.
+    [[nodiscard]] gpu::BorderSide entryOf(std::uint32_t side) const;
+    [[nodiscard]] bool isFriendly(std::uint32_t side) const;
     void markFriends();
     void addPieces(std::uint32_t side, const CoincidentEdge& edge, std::uint32_t firstUse);
     void addUses(const CoincidentEdge& edge);

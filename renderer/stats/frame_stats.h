@@ -13,6 +13,7 @@
 #include "model/core/spread.h"
 #include "renderer/culling/cull_modes.h"
 #include "renderer/stats/gpu_clock.h"
+#include "renderer/stats/processor_clock.h"
 
 namespace knotspan {
 
@@ -51,8 +52,9 @@ struct FrameStats {
     std::optional<std::string> pathLimit;  // what of the device holds the path back, as a sentence
     std::uint64_t frames = 1;
     // Over the frames of a run.
-    Spread cpuMs;  // preparing (taking over the model's changes too) and recording, without waiting
-    Spread gpuMs;  // from the device's timestamps
+    Spread cpuMs;    // preparing (taking over the model's changes too) and recording, without waiting
+    FrameWork work;  // of the last frame: for benchmarks, no figure of the table
+    Spread gpuMs;    // from the device's timestamps
     std::array<Spread, kGpuStageCount> stageMs;  // parts of it
     std::uint64_t uploadBytesFirst = 0;
     std::uint64_t uploadBytesPerFrame = 0;

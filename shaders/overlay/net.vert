@@ -22,8 +22,7 @@ uint lineEnd(uint vertex)
 
 void main()
 {
-    uint point = kLines ? lineEnd(uint(gl_VertexIndex))
-                        : (overlay.mark == NO_MARK ? uint(gl_VertexIndex) : overlay.mark);
+    uint point = kLines ? lineEnd(uint(gl_VertexIndex)) : uint(gl_VertexIndex);
     vec4 homogeneous = controlPoint(surfaces[overlay.surface].firstPoint + point);
     gl_Position = toClip(toView(overlay.surface, homogeneous.xyz / homogeneous.w));
     gl_PointSize = overlay.pointSize;

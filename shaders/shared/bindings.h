@@ -41,7 +41,9 @@
 #define BINDING_VERDICTS 36      // for each KSQuad, what a culling camera that stands still said of it
 #define BINDING_LISTS 37         // how many groups work on the lists of visible and of asking KSQuads
 #define BINDING_EDGE_LINES 38        // parts of KSQuad sides that are drawn as lines
-#define BINDING_COUNT 39
+#define BINDING_MARKS 39             // control points to mark
+#define BINDING_STROKES 40           // straight lines in the picture
+#define BINDING_COUNT 41
 
 // Specialization constants.
 #define KNOTSPAN_LINES_CONSTANT 0      // of the overlays: lines, not points

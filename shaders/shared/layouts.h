@@ -56,6 +56,7 @@ struct FrameRecord {
     uint pointCount;  // control points of all surfaces
     uint shading;
     uint flags;
+    uint isoCurves;        // parts that lines on surfaces cut a KSQuad into, each way; below 2: none
     uint captureCapacity;  // vertices; of the compute stage: requests
 };
 
@@ -142,7 +143,7 @@ struct SurfaceView {
     float facing;      // -1 where the transform mirrors, else 1
     float side;        // 1: S_u x S_v points out of the body; -1: into it; 0: there is none
     uint shell;        // the body: the number of its first surface
-    float highlight;   // 1: drawn as selected
+    float highlight;   // 1: drawn as selected; 0.5: as what a click would take
 };
 
 // A group of CULL_KSQUADS KSQuads. Bits by KSQuad; counts of visible and of asking ones before the group.
@@ -284,13 +285,28 @@ struct OverlayConstants {
     uint surface;
     uint countU;
     uint countV;
-    uint mark;        // the control point to mark, or NO_MARK for all
     float pointSize;  // pixels
 };
-#define NO_MARK 0xffffffffu
+
+// A control point to mark.
+struct MarkRecord {
+    uint surface;
+    uint point;   // in its net
+    uint colour;  // 0xRRGGBB
+    float size;   // pixels
+};
+
+// A straight line in the picture.
+struct StrokeRecord {
+    vec2 from;  // pixels
+    vec2 to;
+    uint colour;          // 0xRRGGBB, opacity in the upper byte
+    float halfWidthFrom;  // pixels
+    float halfWidthTo;
+};
 
 #ifdef __cplusplus
-static_assert(sizeof(FrameRecord) == 164 && sizeof(SurfaceRecord) == 96 && sizeof(SurfaceView) == 80);
+static_assert(sizeof(FrameRecord) == 168 && sizeof(SurfaceRecord) == 96 && sizeof(SurfaceView) == 80);
 static_assert(sizeof(BorderSide) == 8 && sizeof(BorderPiece) == 32 && sizeof(BorderUse) == 8);
 static_assert(sizeof(GridRecord) == 8 && sizeof(TileRecord) == 24);
 static_assert(sizeof(KsQuadRecord) == 16 && sizeof(CapturedRecord) == 56);
@@ -298,7 +314,8 @@ static_assert(sizeof(RequestRecord<float>) == 12 && sizeof(RequestRecord<double>
 static_assert(sizeof(EvaluatedRecord<float>) == 48 && sizeof(EvaluatedRecord<double>) == 96);
 static_assert(sizeof(WaveRecord) == 32 && sizeof(EdgeLineRecord) == 28);
 static_assert(sizeof(IndexedDrawRecord) == 20 && sizeof(VertexRecord) == 56 && sizeof(ObjectVertex) == 44);
-static_assert(sizeof(DrawRecord) == 16 && sizeof(OverlayConstants) == 36);
+static_assert(sizeof(DrawRecord) == 16 && sizeof(OverlayConstants) == 32);
+static_assert(sizeof(MarkRecord) == 16 && sizeof(StrokeRecord) == 28);
 }  // namespace knotspan::gpu
 #endif
 #endif

@@ -53,6 +53,8 @@ void main()
         colour = lit(front ? albedo : albedo * vec3(0.75, 0.62, 0.5), facing, towardsEye);
     }
     colour = mix(colour, vec3(1.0, 0.45, 0.08), 0.22 * surfaceViews[surface].highlight);
+    if (frame.isoCurves > 1u)
+        colour = mix(colour, vec3(0.015), 0.4 * isoCurve(place.t));
     if ((frame.flags & FRAME_KNOT_LINES) != 0u)
         colour = mix(colour, vec3(0.015), 0.8 * knotLine(place.t));
     outColour = vec4(encodedSrgb(colour), 1.0);

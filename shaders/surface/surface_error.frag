@@ -180,6 +180,8 @@ void main()
     vec3 colour = errorColour(error.pixels / frame.tolerancePx);
     if (error.pixels > frame.tolerancePx + KNOTSPAN_ERROR_NOISE_PX)
         colour = vec3(0.92, 0.0, 0.5);
+    if (frame.isoCurves > 1u)
+        colour = mix(colour, vec3(0.06), 0.4 * isoCurve(pixelPlace(inT).t));
     if ((frame.flags & FRAME_KNOT_LINES) != 0u)
         colour = mix(colour, vec3(0.06), 0.8 * knotLine(pixelPlace(inT).t));
     outColour = vec4(colour, 1.0);

@@ -109,7 +109,8 @@ std::string libraryRefusal(const FolderRule& rule, const std::string& included)
     if (namesDisk(included) && rule.disk == Disk::no) {
         return "knows of no files";
     }
-    if (startsWith(included, "CLI/") && rule.folder != "app" && rule.folder != "benchmarks/frames") {
+    if (startsWith(included, "CLI/") && rule.folder != "app" && rule.folder != "benchmarks/frames" &&
+        rule.folder != "benchmarks/dragging") {
         return "reads no command line";
     }
     if (startsWith(included, "hwy/") && rule.folder != "model/geometry" &&
@@ -228,6 +229,8 @@ std::vector<FolderRule> makeRules()
         // Above the renderer, by its front; a program of its own.
         {.folder = "benchmarks/frames",
          .mayInclude = scene + front + Folders{"benchmarks/frames", "model/samples"}},
+        {.folder = "benchmarks/dragging",
+         .mayInclude = scene + front + Folders{"benchmarks/dragging", "model/samples", "model/sculpting"}},
         {.folder = "shaders", .mayInclude = {}},
         {.folder = "shaders/shared", .mayInclude = {}},
         {.folder = "shaders/surface", .mayInclude = {"shaders/shared", "shaders/culling"}},

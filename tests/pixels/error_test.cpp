@@ -162,11 +162,11 @@ TEST(Leaks, AreSeenWhereASurfaceIsMissing)
 
     // The surface in the middle of the picture.
     const auto picked = renderer->pick(80, 60);
-    ASSERT_TRUE(picked && picked->object);
+    ASSERT_TRUE(picked && picked->object());
     Scene open = whole;
-    SceneObject hidden = *open.find(*picked->object);
+    SceneObject hidden = *open.find(*picked->object());
     hidden.visible = false;
-    open.exchange(*picked->object, std::make_shared<const SceneObject>(hidden));
+    open.exchange(*picked->object(), std::make_shared<const SceneObject>(hidden));
     (void)drawn(*renderer, open, frame);
     EXPECT_GT(leaks(*renderer, whole, frame, 1), 20U);
 }

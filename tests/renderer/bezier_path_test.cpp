@@ -106,14 +106,14 @@ TEST_F(BezierPath, DrawsControlNetsWhereTessellationDrawsThem)
     const Scene scene = findSample("single-100")->make();
     Frame frame = frameOf(scene, PathId::tessellation);
     frame.overlays.controlNets = true;
-    frame.overlays.marks = {{scene.objects().begin()->first, {2, 3}, true}};
+    frame.overlays.marks = {{scene.objects().begin()->first, {2, 3}}};
     const Picture wanted = drawn(*renderer, scene, frame).picture;
     frame.overlays = {};
     const Picture without = drawn(*renderer, scene, frame).picture;
     frame.path = PathId::bezier;
     (void)drawn(*renderer, scene, frame);
     frame.overlays.controlNets = true;
-    frame.overlays.marks = {{scene.objects().begin()->first, {2, 3}, true}};
+    frame.overlays.marks = {{scene.objects().begin()->first, {2, 3}}};
     const Picture got = drawn(*renderer, scene, frame).picture;
     EXPECT_GT(compare(wanted, without).meanShaded, 1.0);
     EXPECT_LT(compare(wanted, got).meanShaded, 0.1);

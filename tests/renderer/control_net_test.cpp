@@ -46,9 +46,9 @@ TEST_F(Picking, FindsNoControlPointOfANetThatIsNotShown)
 TEST_F(Picking, FindsTheSurfaceUnderTheCursorAndNothingBesideIt)
 {
     (void)drawn(*sharedRenderer(), scene, frame);
-    EXPECT_EQ(sharedRenderer()->pick(200, 150)->object, first);
-    EXPECT_FALSE(sharedRenderer()->pick(0, 0)->object);
-    EXPECT_FALSE(sharedRenderer()->pick(-5, 1e9)->object);
+    EXPECT_EQ(sharedRenderer()->pick(200, 150)->object(), first);
+    EXPECT_FALSE(sharedRenderer()->pick(0, 0)->object());
+    EXPECT_FALSE(sharedRenderer()->pick(-5, 1e9)->object());
 }
 
 TEST_F(Picking, ShowsTheNetWhereItsPointsAre)
@@ -66,7 +66,7 @@ TEST_F(Picking, ShowsTheNetWhereItsPointsAre)
 TEST_F(Picking, MarksASelectedControlPoint)
 {
     const Picture bare = drawn(*sharedRenderer(), scene, frame).picture;
-    frame.overlays.marks = {{first, {2, 2}, true}};
+    frame.overlays.marks = {{first, {2, 2}}};
     const Picture marked = drawn(*sharedRenderer(), scene, frame).picture;
     size_t changed = 0;
     for (size_t k = 0; k < bare.rgba.size(); k += 4)

@@ -10,33 +10,6 @@ namespace {
 
 constexpr std::uint32_t kOrange = 0xe69f00;
 
-size_t pixelsOf(const Picture& picture, std::uint32_t colour)
-{
-    size_t count = 0;
-    for (size_t k = 0; k < picture.rgba.size(); k += 4) {
-        const auto near = [&](size_t channel, std::uint32_t wanted) {
-            return std::abs(int(picture.rgba[k + channel]) - int(wanted & 255U)) <= 1;
-        };
-        count += near(0, colour >> 16U) && near(1, colour >> 8U) && near(2, colour) ? 1 : 0;
-    }
-    return count;
-}
-
-bool isNear(const Picture& picture, const Vec2& at, std::uint32_t colour)
-{
-    for (int y = int(at.y) - 2; y <= int(at.y) + 2; ++y)
-        for (int x = int(at.x) - 2; x <= int(at.x) + 2; ++x) {
-            if (x < 0 || y < 0 || x >= picture.width || y >= picture.height)
-                continue;
-            const size_t k =
-                4 * (static_cast<size_t>(y) * static_cast<size_t>(picture.width) + static_cast<size_t>(x));
-            if (picture.rgba[k] == (colour >> 16U) && picture.rgba[k + 1] == ((colour >> 8U) & 255U) &&
-                picture.rgba[k + 2] == (colour & 255U))
-                return true;
-        }
-    return false;
-}
-
 class EdgeLineTest : public ::testing::TestWithParam<PathId> {
 protected:
     void SetUp() override

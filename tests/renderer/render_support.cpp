@@ -88,6 +88,48 @@ size_t shownPixels(const Picture& picture)
     return count;
 }
 
+std::uint32_t colourAt(const Picture& picture, int x, int y)
+{
+    const size_t at =
+        4 * (static_cast<size_t>(y) * static_cast<size_t>(picture.width) + static_cast<size_t>(x));
+    return std::uint32_t{picture.rgba[at]} << 16U | std::uint32_t{picture.rgba[at + 1]} << 8U |
+           picture.rgba[at + 2];
+}
+
+size_t pixelsOf(const Picture& picture, std::uint32_t colour)
+{
+    size_t count = 0;
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x) {
+            const std::uint32_t here = colourAt(picture, x, y);
+            const auto near = [&](unsigned shift) {
+                return std::abs(int(here >> shift & 255U) - int(colour >> shift & 255U)) <= 1;
+            };
+            count += near(0) && near(8) && near(16) ? 1 : 0;
+        }
+    return count;
+}
+
+bool isNear(const Picture& picture, const Vec2& at, std::uint32_t colour)
+{
+    for (int y = int(at.y) - 2; y <= int(at.y) + 2; ++y)
+        for (int x = int(at.x) - 2; x <= int(at.x) + 2; ++x)
+            if (x >= 0 && y >= 0 && x < picture.width && y < picture.height &&
+                colourAt(picture, x, y) == colour)
+                return true;
+    return false;
+}
+
+size_t changedPixels(const Picture& a, const Picture& b)
+{
+    EXPECT_EQ(a.rgba.size(), b.rgba.size());
+    size_t count = 0;
+    for (int y = 0; y < a.height; ++y)
+        for (int x = 0; x < a.width; ++x)
+            count += colourAt(a, x, y) != colourAt(b, x, y) ? 1 : 0;
+    return count;
+}
+
 namespace {
 
 // Whether anything within a pixel of (x, y) is shown (or, for background, is not).

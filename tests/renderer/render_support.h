@@ -26,6 +26,15 @@ struct Drawn {
 [[nodiscard]] bool isBackground(const Picture& picture, int x, int y);
 [[nodiscard]] size_t shownPixels(const Picture& picture);  // that are not background
 
+// Colours of pixels: 0xRRGGBB.
+[[nodiscard]] std::uint32_t colourAt(const Picture& picture, int x, int y);
+// How many pixels have it, to the rounding of 8 bits.
+[[nodiscard]] size_t pixelsOf(const Picture& picture, std::uint32_t colour);
+// Whether one within two pixels has it.
+[[nodiscard]] bool isNear(const Picture& picture, const Vec2& at, std::uint32_t colour);
+// How many pixels differ between pictures of one size.
+[[nodiscard]] size_t changedPixels(const Picture& a, const Picture& b);
+
 struct Difference {
     size_t silhouetteOff =
         0;  // pixels shown in one picture and further than a pixel from any shown in the other

@@ -93,9 +93,9 @@ TEST(RendererBorder, LeavesOutMarksOutsideTheNet)
     const Scene scene = findSample("hull")->make();
     Frame frame = frameOf(scene, renderer->bestPath());
     const Picture bare = drawn(*renderer, scene, frame).picture;
-    frame.overlays.marks = {{scene.objects().begin()->first, {-1, 0}, true},
-                            {scene.objects().begin()->first, {0, 100000}, true},
-                            {ObjectId{999}, {0, 0}, true}};
+    frame.overlays.marks = {{scene.objects().begin()->first, {-1, 0}},
+                            {scene.objects().begin()->first, {0, 100000}},
+                            {ObjectId{999}, {0, 0}}};
     EXPECT_EQ(bare.rgba, drawn(*renderer, scene, frame).picture.rgba);
 }
 

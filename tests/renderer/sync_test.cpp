@@ -161,10 +161,10 @@ TEST_F(Sync, PicksTheObjectThatThePictureShowsThoughAnotherIsGoneSince)
     const ObjectId last = scene.objects().rbegin()->first;
     const Vec3 middle = scene.find(last)->bounds().centre();
     const Vec2 at = frame.camera.toPixel(middle, frame.width, frame.height).value();
-    ASSERT_EQ(renderer->pick(at.x, at.y)->object, last);
+    ASSERT_EQ(renderer->pick(at.x, at.y)->object(), last);
     scene.exchange(scene.objects().begin()->first, nullptr);
     ASSERT_TRUE(renderer->sync(scene));
-    EXPECT_EQ(renderer->pick(at.x, at.y)->object, last);
+    EXPECT_EQ(renderer->pick(at.x, at.y)->object(), last);
 }
 
 TEST_F(Sync, SendsTheSceneAgainAfterAFrameThatWasRefused)

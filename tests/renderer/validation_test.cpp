@@ -20,13 +20,21 @@ TEST(ValidationLayer, HasNoMessageInARenderOfAnyPath)
         Frame frame = frameOf(scene, path.id);
         frame.overlays.controlNets = true;
         frame.overlays.knotLines = true;
-        frame.overlays.marks = {{scene.objects().begin()->first, {0, 0}, true}};
+        frame.overlays.marks = {{scene.objects().begin()->first, {0, 0}}};
+        frame.overlays.isoCurves = 3;
+        frame.overlays.normals = true;
+        frame.overlays.isoLines = {{scene.objects().begin()->first, Direction::V, 0.5}};
+        frame.overlays.strokes = {{{10, 10}, {90, 60}}};
         frame.culling = parseCullSet("surface,lqc").value();
         for (const auto& [width, height] : {std::pair(160, 120), std::pair(200, 100)}) {
             frame.width = width;
             frame.height = height;
             EXPECT_GT(shownPixels(drawn(renderer, scene, frame).picture), 100U) << path.name;
         }
+        // The next frame after a pick finds its depths as it left them.
+        EXPECT_TRUE(renderer.pick(80, 60));
+        EXPECT_TRUE(renderer.pick(81, 61));
+        EXPECT_TRUE(renderer.draw(frame));
         EXPECT_TRUE(renderer.pick(80, 60));
         EXPECT_TRUE(renderer.captureVertices(frame));
     }

@@ -23,7 +23,7 @@ public:
 
     void step()
     {
-        switch (below(10)) {
+        switch (below(12)) {
         case 0:
         case 1:
             return hand_.click(pixel(), keys());
@@ -40,17 +40,47 @@ public:
             return setting();
         case 7:
             return act(below(3) == 0 ? "edit.redo" : "edit.undo");
+        case 8:
+            return typing();
+        case 9:
+            return act(kTools[below(std::size(kTools))]);
         default:
-            constexpr const char* kActions[] = {
-                "points.row",     "points.column",    "points.net",   "points.grow",      "points.shrink",
-                "points.invert",  "points.left",      "points.up",    "points.rightFine", "edit.keepFriends",
-                "edit.selectAll", "object.duplicate", "edit.delete",  "object.sidesBoth", "view.iso",
-                "view.fit",       "view.nets",        "view.friends", "edit.deselect",    "view.top"};
             return act(kActions[below(std::size(kActions))]);
         }
     }
 
 private:
+    static constexpr const char* kTools[] = {"tools.select", "tools.select",  "tools.select", "tools.box",
+                                             "tools.lasso",  "tools.weight",  "tools.knot",   "tools.grab",
+                                             "tools.smooth", "tools.inflate", "tools.flatten"};
+    static constexpr const char* kActions[] = {
+        "points.row",        "points.column",    "points.net",       "points.grow",       "points.shrink",
+        "points.invert",     "points.left",      "points.up",        "points.rightFine",  "edit.keepFriends",
+        "edit.selectAll",    "object.duplicate", "edit.delete",      "object.sidesBoth",  "view.iso",
+        "view.fit",          "view.nets",        "view.friends",     "edit.deselect",     "view.top",
+        "object.hide",       "object.isolate",   "object.showAll",   "object.lock",       "object.unlockAll",
+        "view.points",       "view.hulls",       "view.isoCurves",   "view.normals",      "view.knots",
+        "tools.gizmo",       "tools.snap",       "tools.takePoints", "tools.takeObjects", "tools.largerBrush",
+        "tools.smallerBrush"};
+
+    // Keys while something is dragged.
+    void typing()
+    {
+        hand_.press(pixel(), Qt::LeftButton, keys());
+        hand_.move(pixel());
+        constexpr std::pair<int, const char*> kKeys[] = {
+            {Qt::Key_X, "x"},      {Qt::Key_Y, "y"},     {Qt::Key_Z, "z"},      {Qt::Key_U, "u"},
+            {Qt::Key_N, "n"},      {Qt::Key_1, "1"},     {Qt::Key_Period, "."}, {Qt::Key_5, "5"},
+            {Qt::Key_Minus, "-"},  {Qt::Key_Equal, "="}, {Qt::Key_Space, " "},  {Qt::Key_Backspace, "\b"},
+            {Qt::Key_Return, "\r"}};
+        for (size_t k = below(6); k > 0; --k) {
+            const auto& [key, text] = kKeys[below(std::size(kKeys))];
+            hand_.key(key, text);
+        }
+        if (below(4) == 0)
+            hand_.key(Qt::Key_Escape);
+        hand_.release();
+    }
     [[nodiscard]] size_t below(size_t count)
     {
         return std::uniform_int_distribution<size_t>(0, count - 1)(random_);

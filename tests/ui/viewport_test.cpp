@@ -54,7 +54,7 @@ std::optional<Vec2> pixelOf(MainWindow& window, ObjectId object)
     for (int y = 4; y < size.height; y += 6)
         for (int x = 4; x < size.width; x += 6) {
             const Result<Pick> pick = window.viewport().renderer()->pick(x, y);
-            if (pick && pick->object == object && !pick->controlPoint)
+            if (pick && pick->object() == object && !pick->controlPoint)
                 return Vec2(x, y);
         }
     return std::nullopt;

@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include <QElapsedTimer>
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
 #include <QWindow>
@@ -146,6 +147,27 @@ void Hand::wheel(Vec2 at, int notches)
     QWheelEvent event(position, position, {}, QPoint(0, 120 * notches), Qt::NoButton, {}, Qt::NoScrollPhase,
                       false);
     QCoreApplication::sendEvent(window_.viewport().surface(), &event);
+}
+
+bool Hand::key(int key, const QString& text, Qt::KeyboardModifiers keys)
+{
+    QObject* picture = window_.viewport().surface();
+    QKeyEvent asked(QEvent::ShortcutOverride, key, keys, text);
+    asked.ignore();
+    QCoreApplication::sendEvent(picture, &asked);
+    QKeyEvent down(QEvent::KeyPress, key, keys, text);
+    QCoreApplication::sendEvent(picture, &down);
+    QKeyEvent up(QEvent::KeyRelease, key, keys, text);
+    QCoreApplication::sendEvent(picture, &up);
+    return asked.isAccepted();
+}
+
+void Hand::hover(Vec2 at, Qt::KeyboardModifiers keys)
+{
+    at_ = at;
+    keys_ = keys;
+    send(QEvent::MouseMove, Qt::NoButton);
+    keys_ = {};
 }
 
 std::optional<VisiblePoint> visiblePoint(MainWindow& window, ObjectId object)

@@ -54,6 +54,10 @@ public:
     void click(Vec2 at, Qt::KeyboardModifiers keys = {});
     void drag(Vec2 from, Vec2 to, Qt::MouseButton button = Qt::LeftButton, Qt::KeyboardModifiers keys = {});
     void wheel(Vec2 at, int notches);
+    // Presses and releases a key; true where the picture used it up.
+    bool key(int key, const QString& text = {}, Qt::KeyboardModifiers keys = {});
+    // No button down.
+    void hover(Vec2 at, Qt::KeyboardModifiers keys = {});
 
 private:
     void send(QEvent::Type type, Qt::MouseButton button);

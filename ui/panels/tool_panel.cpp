@@ -1,163 +1,25 @@
 #include "ui/panels/tool_panel.h"
 
-#include <cmath>
+#include <QVBoxLayout>
 
-#include <QCheckBox>
-#include <QComboBox>
-#include <QDoubleSpinBox>
-#include <QFormLayout>
-#include <QScopedValueRollback>
-
-#include "ui/viewport/described.h"
+#include "ui/panels/brush_form.h"
+#include "ui/panels/drag_form.h"
+#include "ui/panels/snap_form.h"
 
 namespace knotspan {
 
-namespace {
-
-// As the list of symmetries has them: planes across the model's axes come first.
-enum class SymmetryRow { none, x, y, z, u, v };
-
-SymmetryRow rowOf(const Symmetry& symmetry)
+ToolPanel::ToolPanel(Document& document, Viewport& viewport, QWidget* parent) : QScrollArea(parent)
 {
-    switch (symmetry.kind) {
-    case SymmetryKind::none:
-        break;
-    case SymmetryKind::plane:
-        return symmetry.plane.normal.x != 0   ? SymmetryRow::x
-               : symmetry.plane.normal.y != 0 ? SymmetryRow::y
-                                              : SymmetryRow::z;
-    case SymmetryKind::u:
-        return SymmetryRow::u;
-    case SymmetryKind::v:
-        return SymmetryRow::v;
-    }
-    return SymmetryRow::none;
-}
-
-Symmetry symmetryOf(SymmetryRow row, double place)
-{
-    Symmetry symmetry;
-    switch (row) {
-    case SymmetryRow::none:
-        break;
-    case SymmetryRow::u:
-        symmetry.kind = SymmetryKind::u;
-        break;
-    case SymmetryRow::v:
-        symmetry.kind = SymmetryKind::v;
-        break;
-    default: {
-        const int axis = static_cast<int>(row) - static_cast<int>(SymmetryRow::x);
-        symmetry.kind = SymmetryKind::plane;
-        symmetry.plane.normal = Vec3(0);
-        symmetry.plane.normal[axis] = 1;
-        symmetry.plane.point = Vec3(0);
-        symmetry.plane.point[axis] = place;
-    }
-    }
-    return symmetry;
-}
-
-}  // namespace
-
-ToolPanel::ToolPanel(Document& document, Viewport& viewport, QWidget* parent)
-    : QWidget(parent),
-      document_(document),
-      viewport_(viewport)
-{
-    makeLayout();
-    takeOver();
-    connect(&viewport_, &Viewport::toolSettingsChanged, this, &ToolPanel::takeOver);
-    connect(&document_, &Document::documentReplaced, this, &ToolPanel::takeOver);
-}
-
-void ToolPanel::makeLayout()
-{
-    auto* form = new QFormLayout(this);
-    const auto list = [&](const char* id, const QString& label, const QString& tip,
-                          const QStringList& texts) {
-        auto* box = new QComboBox(this);
-        describe(box, id, QString(label).remove('&'), tip);
-        box->addItems(texts);
-        form->addRow(label, box);
-        connect(box, &QComboBox::currentIndexChanged, this, &ToolPanel::tell);
-        return box;
-    };
-    const auto number = [&](const char* id, const QString& label, const QString& tip, double least) {
-        auto* box = new QDoubleSpinBox(this);
-        describe(box, id, QString(label).remove('&'), tip);
-        box->setRange(least, 1e9);
-        box->setDecimals(4);
-        form->addRow(label, box);
-        connect(box, &QDoubleSpinBox::valueChanged, this, &ToolPanel::tell);
-        return box;
-    };
-    const auto check = [&](const char* id, const QString& text, const QString& tip) {
-        auto* box = new QCheckBox(text, this);
-        describe(box, id, QString(text).remove('&'), tip);
-        form->addRow(box);
-        connect(box, &QCheckBox::toggled, this, &ToolPanel::tell);
-        return box;
-    };
-    axis_ = list("drag-axis", tr("Dra&g"), tr("Which way dragged control points go"),
-                 {tr("freely, facing the eye"), tr("along X"), tr("along Y"), tr("along Z"),
-                  tr("along the net's U"), tr("along the net's V"), tr("along the surface's normal")});
-    eachItsOwn_ = check("each-its-own", tr("Each &point its own way"),
-                        tr("Along U, V or the normal, let each control point go its own way, not all one"));
-    radius_ =
-        number("falloff-radius", tr("&Falloff radius"),
-               tr("How far control points around the selected ones follow, less and less; 0: none do"), 0);
-    shape_ = list("falloff-shape", tr("Falloff &shape"), tr("How the following fades out"),
-                  {tr("smooth"), tr("sphere"), tr("linear"), tr("sharp"), tr("constant")});
-    distance_ = list("falloff-distance", tr("&Measured"), tr("What the radius counts"),
-                     {tr("in space"), tr("in steps along the net"), tr("in lengths along the net")});
-    symmetry_ = list(
-        "symmetry", tr("S&ymmetry"), tr("Let control points follow as mirror images"),
-        {tr("none"), tr("across X"), tr("across Y"), tr("across Z"), tr("the net's U"), tr("the net's V")});
-    place_ = number("symmetry-place", tr("Plane &at"), tr("Where the plane crosses its axis"), -1e9);
-    keepFriends_ = check("keep-friends", tr("&Keep friends"),
-                         tr("Where surfaces meet smoothly, let both sides of the edge follow"));
-}
-
-void ToolPanel::takeOver()
-{
-    if (isTelling_)
-        return;
-    const QScopedValueRollback quiet(isTelling_, true);
-    const ToolSettings& settings = viewport_.toolSettings();
-    const DragSettings& drag = settings.drag;
-    axis_->setCurrentIndex(static_cast<int>(drag.axis));
-    eachItsOwn_->setChecked(drag.eachItsOwn);
-    radius_->setValue(drag.falloff.radius);
-    shape_->setCurrentIndex(static_cast<int>(drag.falloff.shape));
-    distance_->setCurrentIndex(static_cast<int>(drag.falloff.distance));
-    const SymmetryRow row = rowOf(drag.symmetry);
-    symmetry_->setCurrentIndex(static_cast<int>(row));
-    place_->setValue(glm::dot(drag.symmetry.plane.point, drag.symmetry.plane.normal));
-    place_->setEnabled(drag.symmetry.kind == SymmetryKind::plane);
-    keepFriends_->setChecked(settings.keepFriends);
-    const QString units = " " + QString::fromStdString(document_.scene().units());
-    radius_->setSuffix(drag.falloff.distance == FalloffDistance::netSteps ? tr(" steps") : units);
-    place_->setSuffix(units);
-    // Some tens of steps across the model.
-    const double size = document_.scene().bounds().diagonal();
-    const double step = size > 0 ? std::pow(10, std::floor(std::log10(size / 10))) : 1;
-    radius_->setSingleStep(drag.falloff.distance == FalloffDistance::netSteps ? 1 : step);
-    place_->setSingleStep(step);
-}
-
-void ToolPanel::tell()
-{
-    if (isTelling_)
-        return;
-    ToolSettings settings = viewport_.toolSettings();
-    settings.drag.axis = static_cast<DragAxis>(axis_->currentIndex());
-    settings.drag.eachItsOwn = eachItsOwn_->isChecked();
-    settings.drag.falloff = {radius_->value(), static_cast<FalloffShape>(shape_->currentIndex()),
-                             static_cast<FalloffDistance>(distance_->currentIndex())};
-    settings.drag.symmetry = symmetryOf(static_cast<SymmetryRow>(symmetry_->currentIndex()), place_->value());
-    settings.keepFriends = keepFriends_->isChecked();
-    viewport_.setToolSettings(settings);
+    auto* column = new QWidget(this);
+    auto* layout = new QVBoxLayout(column);
+    layout->addWidget(new DragForm(document, viewport, column));
+    layout->addWidget(new SnapForm(document, viewport, column));
+    layout->addWidget(new BrushForm(document, viewport, column));
+    layout->addStretch();
+    setWidget(column);
+    setWidgetResizable(true);
+    setFrameShape(QFrame::NoFrame);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
 }
 
 }  // namespace knotspan

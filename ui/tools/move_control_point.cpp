@@ -1,184 +1,176 @@
 #include "ui/tools/move_control_point.h"
 
-#include <glm/geometric.hpp>
+#include <utility>
 
 #include "model/scene/control_point_editing.h"
-#include "model/sculpting/twins.h"
+#include "ui/tools/choosing.h"
+#include "ui/tools/object_dragging.h"
+#include "ui/tools/point_dragging.h"
 
 namespace knotspan {
 
-namespace {
-
-// A hand that only clicks trembles less than this.
-constexpr double kStillPx = 3;
-constexpr double kFine = 0.1;
-
-// Who may follow a drag beside the objects that it has points of.
-std::set<ObjectId> followersIn(const Scene& scene, const DragSettings& settings)
+// A control point that is nearer wins.
+std::optional<size_t> MoveControlPoint::handleUnder(const ToolContext& context, const Vec2& pixel,
+                                                    const Pick& pick) const
 {
-    const bool inSpace = settings.falloff.radius > 0 && settings.falloff.distance == FalloffDistance::space;
-    std::set<ObjectId> others;
-    if (inSpace || settings.symmetry.kind == SymmetryKind::plane)
-        for (const auto& [id, object] : scene.objects())
-            if (object->visible)
-                others.insert(id);
-    return others;
+    const PlacedHandles& placed = gizmo_.at(context);
+    if (placed.handles.empty())
+        return std::nullopt;
+    const auto hit = Gizmo(viewOf(context), placed.centre, placed.handles).under(pixel);
+    if (!hit || (takenPoint(context, pick) && pick.distancePx < hit->distancePx))
+        return std::nullopt;
+    return hit->handle;
 }
-
-// The point of the axis through a point that is nearest on the picture to where the hand is.
-Result<double> alongAxis(const Camera& camera, const Vec3& axis, const Vec3& inPlane)
-{
-    const Vec2 seen(glm::dot(axis, camera.right()), glm::dot(axis, camera.upward()));
-    constexpr double kLeast = 0.02;
-    if (glm::dot(seen, seen) < kLeast * kLeast)
-        return failure("The axis points at the eye", "Turn the view, or choose another axis");
-    const Vec2 wanted(glm::dot(inPlane, camera.right()), glm::dot(inPlane, camera.upward()));
-    return glm::dot(wanted, seen) / glm::dot(seen, seen);
-}
-
-}  // namespace
 
 void MoveControlPoint::hover(const ToolContext& context, const ToolPointer& pointer)
 {
-    context.selection.setHovered(context.pick(pointer.position).controlPoint);
+    const Pick pick = context.pick(pointer.position);
+    const std::optional<size_t> lit = handleUnder(context, pointer.position, pick);
+    const bool isLitAnew = std::exchange(lit_, lit) != lit;
+    const std::optional<ScenePoint> point = lit ? std::nullopt : takenPoint(context, pick);
+    const bool isReachNew = reach_.find(context, point);
+    if (isLitAnew || isReachNew)
+        context.redraw();
+    if (lit)
+        context.selection.setHovered({});
+    else if (point)
+        context.selection.setHovered(pick.controlPoint);
+    else
+        context.selection.setHoveredObject(context.settings.filter.objects ? pick.object() : std::nullopt);
+}
+
+void MoveControlPoint::leave(const ToolContext& context)
+{
+    const bool wasLit = std::exchange(lit_, std::nullopt).has_value();
+    const bool isReachNew = reach_.find(context, {});
+    if (wasLit || isReachNew)
+        context.redraw();
+    context.selection.setHovered({});
 }
 
 ToolAnswer MoveControlPoint::press(const ToolContext& context, const ToolPointer& pointer)
 {
-    const std::optional<PickedControlPoint> picked = context.pick(pointer.position).controlPoint;
-    if (!picked)
-        return ToolAnswer::pass;
-    context.document.endPreview();
-    const Scene& scene = context.document.scene();
-    const ScenePoint point{picked->object, picked->index};
-    const PointSelection one = pointOf(scene, point);
-    if (one.isEmpty())
-        return ToolAnswer::pass;
-    const bool adds = pointer.modifiers.testFlag(Qt::ShiftModifier);
+    const Pick pick = context.pick(pointer.position);
     const bool toggles = pointer.modifiers.testFlag(Qt::ControlModifier);
-    PointSelection chosen = context.selection.points();
-    const bool wasChosen = chosen.contains(point);
-    if (toggles)
-        chosen.toggle(one);
-    else if (adds)
-        chosen.add(one);
-    else if (!wasChosen)
-        chosen = one;
-    if (!adds && !toggles && !wasChosen)
-        context.selection.setObjects({point.object});
-    context.selection.setPoints(chosen);
+    if (const auto handle = handleUnder(context, pointer.position, pick); handle && !toggles)
+        return pressHandle(context, pointer, *handle);
+    const auto point = takenPoint(context, pick);
+    return point ? pressPoint(context, pointer, *point) : ToolAnswer::pass;
+}
+
+ToolAnswer MoveControlPoint::pressHandle(const ToolContext& context, const ToolPointer& pointer,
+                                         size_t handle)
+{
+    context.document.endPreview();
     context.hint({});
-    if (!chosen.contains(point))
-        return ToolAnswer::commit;  // taken out
-    drag_ = Drag{};
-    drag_->point = point;
-    drag_->alone = !adds && !toggles;
-    drag_->pressed = drag_->last = pointer.position;
-    drag_->start = controlPointInModel(*scene.find(point.object), point.index);
+    const PlacedHandles placed = gizmo_.at(context);
+    if (handle >= placed.handles.size())
+        return ToolAnswer::pass;  // it was a preview's
+    const GizmoHandle& chosen = placed.handles[handle];
+    std::unique_ptr<Dragging> dragging;
+    if (placed.ofObjects) {
+        const auto middle = context.camera.toPixel(placed.centre, context.width, context.height);
+        dragging = std::make_unique<ObjectDragging>(
+            movableObjects(context.document.scene(), context.selection.objects()), chosen, placed.centre,
+            pointer.position - middle.value_or(pointer.position));
+    } else {
+        dragging = std::make_unique<PointDragging>(placed.centre, chosen.axis);
+    }
+    held_.emplace(Held{DragGesture(std::move(dragging), pointer.position), placed, handle, {}, false});
+    context.redraw();
     return ToolAnswer::keep;
 }
 
-Result<void> MoveControlPoint::begin(const ToolContext& context)
+ToolAnswer MoveControlPoint::pressPoint(const ToolContext& context, const ToolPointer& pointer,
+                                        const ScenePoint& point)
 {
+    context.document.endPreview();
     const Scene& scene = context.document.scene();
-    const PointSelection chosen = withTwins(scene, context.selection.points());
-    DragSettings settings = context.settings.drag;
-    settings.others = followersIn(scene, settings);
-    auto points = PointDrag::begin(scene, chosen, settings);
-    if (!points)
-        return tl::unexpected(points.error());
-    drag_->points = *std::move(points);
-    const size_t count = context.selection.points().size();
-    drag_->step = count == 1 ? QObject::tr("Move control point")
-                             : QObject::tr("Move %1 control points").arg(static_cast<qulonglong>(count));
-    if (context.settings.keepFriends)
-        drag_->friends.emplace(scene, context.settings.friends);
-    return {};
-}
-
-Result<Edit> MoveControlPoint::editTo(const ToolContext& context)
-{
-    const Camera& camera = context.camera;
-    const double unit = camera.unitsPerPixel(drag_->start, context.height);
-    Vec3 by = (camera.right() * drag_->way.x - camera.upward() * drag_->way.y) * unit;
-    const Vec3 axis = drag_->points->direction();
-    if (context.settings.drag.axis != DragAxis::free) {
-        const auto distance = alongAxis(camera, axis, by);
-        if (!distance)
-            return tl::unexpected(distance.error());
-        if (!drag_->friends)
-            return drag_->points->movedAlong(*distance);
-        by = *distance * axis;
-    }
-    if (!drag_->friends)
-        return drag_->points->moved(by);
-    std::vector<ObjectPull> pulls;
-    for (const auto& [id, shifts] : drag_->points->shifts(by))
-        for (const PointShift& shift : shifts)
-            pulls.push_back({id, shift.index, drag_->friends->startOf(id, shift.index) + shift.by});
-    return drag_->friends->pull(pulls);
+    const PointSelection one = pointOf(scene, point);
+    if (one.isEmpty())
+        return ToolAnswer::pass;
+    const Choosing how = choosingBy(pointer.modifiers);
+    const bool keeps = how == Choosing::alone && context.selection.points().contains(point);
+    if (how == Choosing::alone && !keeps)
+        context.selection.setObjects({point.object});
+    if (!keeps)
+        choosePoints(context.selection, one, how);
+    context.hint({});
+    if (!context.selection.points().contains(point))
+        return ToolAnswer::commit;  // taken out
+    const Vec3 start = controlPointInModel(*scene.find(point.object), point.index);
+    auto dragging = std::make_unique<PointDragging>(start, context.settings.drag.axis);
+    held_.emplace(Held{DragGesture(std::move(dragging), pointer.position),
+                       gizmo_.at(context),
+                       {},
+                       point,
+                       how == Choosing::alone});
+    return ToolAnswer::keep;
 }
 
 ToolAnswer MoveControlPoint::move(const ToolContext& context, const ToolPointer& pointer)
 {
-    if (!drag_->moved && glm::length(pointer.position - drag_->pressed) < kStillPx * context.pixelRatio)
-        return ToolAnswer::keep;
-    const bool first = !drag_->moved;
-    drag_->moved = true;
-    const double share = pointer.modifiers.testFlag(Qt::ShiftModifier) ? kFine : 1;
-    drag_->way += share * (pointer.position - drag_->last);
-    drag_->last = pointer.position;
-    const auto refuse = [&](const Error& error) {
-        const QString refusal = QString::fromStdString(error.sentence());
-        if (refusal != drag_->refusal)
-            context.hint(refusal);
-        drag_->refusal = refusal;
-        return ToolAnswer::keep;  // all stay where they were
-    };
-    if (first || !drag_->points)
-        if (const auto begun = begin(context); !begun)
-            return refuse(begun.error());
-    const Result<Edit> edit = editTo(context);
-    if (!edit)
-        return refuse(edit.error());
-    if (!drag_->refusal.isEmpty())
-        context.hint({});
-    drag_->refusal.clear();
-    drag_->applied = true;
-    context.document.apply(*edit, drag_->step, context.gesture);
+    held_->gesture.move(context, pointer);
     return ToolAnswer::keep;
 }
 
-ToolAnswer MoveControlPoint::release(const ToolContext& context, const ToolPointer&)
+ToolAnswer MoveControlPoint::key(const ToolContext& context, const QKeyEvent& event)
 {
-    const bool cameToNothing = !drag_->applied && !drag_->refusal.isEmpty();
-    if (cameToNothing) {
-        context.hint({});
-        context.trouble(drag_->refusal);
-    }
-    if (!drag_->moved && drag_->alone)
-        context.selection.setPoints(pointOf(context.document.scene(), drag_->point));
-    drag_.reset();
-    return cameToNothing ? ToolAnswer::revert : ToolAnswer::commit;
+    if (!held_)
+        return ToolAnswer::pass;
+    const ToolAnswer answer = held_->gesture.key(context, event);
+    if (answer == ToolAnswer::commit)
+        cancel();
+    return answer;
+}
+
+ToolAnswer MoveControlPoint::release(const ToolContext& context, const ToolPointer& pointer)
+{
+    Held held = *std::exchange(held_, std::nullopt);
+    lit_.reset();
+    const ToolAnswer answer = held.gesture.release(context);
+    if (held.gesture.hasBegun())
+        return answer;
+    if (held.point && held.alone)
+        context.selection.setPoints(pointOf(context.document.scene(), *held.point));
+    else if (held.handle && held.gizmo.ofObjects && context.pick(pointer.position).object())
+        click(context, pointer);  // meant what is behind the handle
+    return answer;
 }
 
 void MoveControlPoint::click(const ToolContext& context, const ToolPointer& pointer)
 {
-    const std::optional<ObjectId> object = context.pick(pointer.position).object;
-    std::set<ObjectId> chosen = context.selection.objects();
-    const bool adds = pointer.modifiers.testFlag(Qt::ShiftModifier);
-    const bool toggles = pointer.modifiers.testFlag(Qt::ControlModifier);
-    if (!adds && !toggles)
-        chosen.clear();
-    if (object && !(toggles && chosen.erase(*object) != 0))
-        chosen.insert(*object);
-    context.selection.setPoints({});
-    context.selection.setObjects(std::move(chosen));
+    chooseAt(context, pointer);
 }
 
 void MoveControlPoint::cancel()
 {
-    drag_.reset();
+    held_.reset();
+    lit_.reset();
+}
+
+void MoveControlPoint::show(const ToolContext& context, Overlays& overlays) const
+{
+    const PlacedHandles& placed = held_ ? held_->gizmo : gizmo_.at(context);
+    const Vec3 moved = held_ ? held_->gesture.gizmoMoved() : Vec3(0);
+    const Gizmo gizmo(viewOf(context), placed.centre + moved, placed.handles);
+    const std::vector<Stroke> strokes = gizmo.strokes(held_ ? litWhileHeld() : lit_);
+    overlays.strokes.insert(overlays.strokes.end(), strokes.begin(), strokes.end());
+    if (held_)
+        held_->gesture.dragging().show(context, overlays);
+    if (!held_ || !held_->gesture.hasBegun())
+        overlays.marks.insert(overlays.marks.end(), reach_.marks().begin(), reach_.marks().end());
+}
+
+// The one along the drag's axis: a key may have chosen another than the hand took.
+std::optional<size_t> MoveControlPoint::litWhileHeld() const
+{
+    const std::vector<GizmoHandle>& handles = held_->gizmo.handles;
+    const HandleKind kind = held_->handle ? handles[*held_->handle].kind : HandleKind::move;
+    for (size_t k = 0; k < handles.size(); ++k)
+        if (handles[k].kind == kind && handles[k].axis == held_->gesture.dragging().axis())
+            return k;
+    return std::nullopt;
 }
 
 }  // namespace knotspan

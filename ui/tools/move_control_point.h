@@ -1,11 +1,14 @@
-// Selects objects and control points by clicking, and moves the selected control points with the hand: in the
-// plane that faces the eye, through the point under the hand, or along the axis that the settings ask for;
-// points that fall off or mirror follow (model/sculpting/point_drag.h). With Shift held the hand counts a
-// tenth. With ToolSettings::keepFriends the control points of friends follow; where they cannot, nothing
-// moves and the reason is said.
+// Selects objects and control points by clicking, and moves the selected ones with the hand: control points
+// in the plane that faces the eye or along the axis that the settings ask for (point_dragging.h), or by a
+// handle of the gizmo, that also moves, turns and scales objects (object_dragging.h). Keys choose axes and
+// type numbers meanwhile (drag_gesture.h). With ToolSettings::keepFriends the control points of friends
+// follow; where they cannot, nothing moves and the reason is said.
 #pragma once
 
-#include "model/matching/drag_with_friends.h"
+#include "ui/tools/drag_gesture.h"
+#include "ui/tools/gizmo.h"
+#include "ui/tools/reach.h"
+#include "ui/tools/selection_gizmo.h"
 #include "ui/tools/tool.h"
 
 namespace knotspan {
@@ -18,25 +21,29 @@ public:
     ToolAnswer release(const ToolContext& context, const ToolPointer& pointer) override;
     void click(const ToolContext& context, const ToolPointer& pointer) override;
     void cancel() override;
+    ToolAnswer key(const ToolContext& context, const QKeyEvent& event) override;
+    void leave(const ToolContext& context) override;
+    void show(const ToolContext& context, Overlays& overlays) const override;
 
 private:
-    struct Drag {
-        ScenePoint point;    // under the hand
-        bool alone = false;  // a press that goes nowhere leaves it selected alone
-        Vec2 pressed;        // where the hand took hold
-        Vec2 last;           // where it was
-        Vec2 way{0};         // how far it went, in pixels that count
-        Vec3 start;          // where the control point was
-        bool moved = false;
-        std::optional<PointDrag> points;         // from the first move on
-        std::optional<DragWithFriends> friends;  // likewise, where they are kept
-        QString step;
-        bool applied = false;
-        QString refusal;  // of the last place; empty where the points went there
+    struct Held {
+        DragGesture gesture;
+        PlacedHandles gizmo;              // as it stood
+        std::optional<size_t> handle;     // of it, if the hand holds one,
+        std::optional<ScenePoint> point;  // or the control point
+        bool alone = false;               // a press that goes nowhere leaves the point selected alone
     };
-    [[nodiscard]] Result<void> begin(const ToolContext& context);
-    [[nodiscard]] Result<Edit> editTo(const ToolContext& context);
-    std::optional<Drag> drag_;
+    [[nodiscard]] std::optional<size_t> handleUnder(const ToolContext& context, const Vec2& pixel,
+                                                    const Pick& pick) const;
+    ToolAnswer pressHandle(const ToolContext& context, const ToolPointer& pointer, size_t handle);
+    ToolAnswer pressPoint(const ToolContext& context, const ToolPointer& pointer, const ScenePoint& point);
+
+    [[nodiscard]] std::optional<size_t> litWhileHeld() const;
+
+    std::optional<Held> held_;
+    std::optional<size_t> lit_;
+    mutable SelectionGizmo gizmo_;  // keeps what it found
+    ShownReach reach_;
 };
 
 }  // namespace knotspan

@@ -46,32 +46,45 @@ void Selection::setPoints(PointSelection points)
 
 void Selection::setHovered(const Point& point)
 {
-    if (same(point, hovered_))
+    if (same(point, hovered_) && !hoveredObject_)
         return;
     hovered_ = point;
+    hoveredObject_.reset();
+    Q_EMIT changed();
+}
+
+void Selection::setHoveredObject(std::optional<ObjectId> object)
+{
+    if (object == hoveredObject_ && !hovered_)
+        return;
+    hovered_.reset();
+    hoveredObject_ = object;
     Q_EMIT changed();
 }
 
 void Selection::clear()
 {
-    if (objects_.empty() && !hovered_)
+    if (objects_.empty() && !hovered_ && !hoveredObject_)
         return;
     objects_.clear();
     points_ = {};
     hovered_.reset();
+    hoveredObject_.reset();
     Q_EMIT changed();
 }
 
 void Selection::keepOnly(const Scene& scene)
 {
     std::set<ObjectId> kept;
+    PointSelection points = points_;
+    points.keepOnly(scene);
     for (const ObjectId id : objects_)
-        if (scene.find(id))
+        if (const SharedObject object = scene.find(id); object && !object->locked)
             kept.insert(id);
     if (hovered_ && !isIn(scene, *hovered_))
         setHovered({});
-    PointSelection points = points_;
-    points.keepOnly(scene);
+    if (hoveredObject_ && !scene.find(*hoveredObject_))
+        setHoveredObject({});
     setPoints(std::move(points));
     setObjects(std::move(kept));
 }

@@ -1,4 +1,4 @@
-// What the user has chosen: objects, control points of theirs, and the control point under the cursor.
+// What the user has chosen: objects, control points of theirs, and what a click would take now.
 // Viewport, panels and tools share one.
 #pragma once
 
@@ -21,25 +21,29 @@ public:
     [[nodiscard]] const std::set<ObjectId>& objects() const { return objects_; }
     [[nodiscard]] bool contains(ObjectId id) const { return objects_.count(id) != 0; }
     [[nodiscard]] const PointSelection& points() const { return points_; }
+    // At most one of the two.
     [[nodiscard]] const std::optional<PickedControlPoint>& hovered() const { return hovered_; }
+    [[nodiscard]] const std::optional<ObjectId>& hoveredObject() const { return hoveredObject_; }
 
     void setObjects(std::set<ObjectId> objects);  // points of others are let go
     // Their objects become selected too.
     void setPoints(PointSelection points);
     void setHovered(const std::optional<PickedControlPoint>& point);
+    void setHoveredObject(std::optional<ObjectId> object);
     void clear();
 
-    // Lets go of what the scene no longer has, and of points whose net has another size: their indices name
+    // Lets go of what the scene no longer has or has locked, and of points whose net has another size: their indices name
     // other points then.
     void keepOnly(const Scene& scene);
 
 Q_SIGNALS:
-    void changed();  // any of the three
+    void changed();  // any of them
 
 private:
     std::set<ObjectId> objects_;
     PointSelection points_;
     std::optional<PickedControlPoint> hovered_;
+    std::optional<ObjectId> hoveredObject_;
 };
 
 }  // namespace knotspan

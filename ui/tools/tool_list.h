@@ -10,8 +10,11 @@
 namespace knotspan {
 
 struct ToolInfo {
-    std::string name;         // "move-control-point"
-    std::string description;  // a sentence for the help
+    const char* name;         // "select"
+    const char* text;         // for its action, with a mnemonic
+    const char* key;          // its shortcut
+    const char* tip;          // a sentence without a full stop
+    const char* hint;         // what the hand does with it, for the status line
     std::unique_ptr<Tool> (*make)();
 };
 

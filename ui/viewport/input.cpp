@@ -6,7 +6,6 @@
 #include <QMouseEvent>
 #include <QWheelEvent>
 
-#include "ui/tools/tool_list.h"
 #include "ui/viewport/viewport.h"
 
 namespace knotspan {
@@ -21,7 +20,7 @@ constexpr double kTouchpadNotchPx = 60;  // for devices that scroll by pixels
 
 }  // namespace
 
-Input::Input(Viewport& viewport) : viewport_(viewport), tool_(tools().front().make()) {}
+Input::Input(Viewport& viewport) : viewport_(viewport), info_(&tools().front()), tool_(info_->make()) {}
 
 Input::~Input() = default;
 
@@ -38,11 +37,12 @@ bool Input::handle(QEvent& event)
     case QEvent::Wheel:
         return wheel(static_cast<QWheelEvent&>(event));
     case QEvent::Leave:
-        resting_.reset();
-        viewport_.selection_.setHovered({});
+        leave();
         return false;
+    case QEvent::ShortcutOverride:
+        return takesFromShortcuts(static_cast<QKeyEvent&>(event));
     case QEvent::KeyPress:
-        return static_cast<QKeyEvent&>(event).key() == Qt::Key_Escape && cancel();
+        return key(static_cast<QKeyEvent&>(event));
     default:
         return false;
     }
@@ -71,7 +71,51 @@ ToolContext Input::context() const
             [this, ratio](const Vec2& position) { return viewport_.pick(position, kPickRadiusPx * ratio); },
             settings,
             [this](const QString& sentence) { Q_EMIT viewport_.hint(sentence); },
-            [this](const QString& sentence) { Q_EMIT viewport_.failed(sentence); }};
+            [this](const QString& sentence) { Q_EMIT viewport_.failed(sentence); },
+            [this] { viewport_.requestDraw(); },
+            viewport_.frame_.overlays.controlNets};
+}
+
+void Input::setTool(const ToolInfo& tool)
+{
+    cancel();
+    leave();
+    info_ = &tool;
+    tool_ = tool.make();
+    if (viewport_.presenter_)
+        showCursor();
+}
+
+void Input::leave()
+{
+    resting_.reset();
+    viewport_.selection_.setHovered({});
+    if (viewport_.presenter_)
+        tool_->leave(context());
+}
+
+// While the hand drags, plain keys are the tool's: Z means the axis, N no net.
+bool Input::takesFromShortcuts(QKeyEvent& event)
+{
+    const bool plain = (event.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) == Qt::NoModifier;
+    if (drag_ != Drag::tool || !plain)
+        return false;
+    event.accept();
+    return true;
+}
+
+bool Input::key(const QKeyEvent& event)
+{
+    if (drag_ != Drag::tool)
+        return false;
+    if (event.key() == Qt::Key_Escape)
+        return cancel();
+    const ToolAnswer answer = tool_->key(context(), event);
+    if (answer == ToolAnswer::pass)
+        return false;
+    follow(answer);
+    showCursor();
+    return true;
 }
 
 bool Input::press(const QMouseEvent& event)
@@ -105,7 +149,7 @@ bool Input::move(const QMouseEvent& event)
     const ToolPointer at = pointer(event);
     if (drag_ == Drag::none) {
         resting_ = at;
-        if (!viewport_.isDrawPending())
+        if (!viewport_.drawPending_)
             hover();
         return true;
     }
@@ -199,7 +243,7 @@ void Input::showCursor()
     const Qt::CursorShape shape = drag_ == Drag::pan     ? Qt::ClosedHandCursor
                                   : drag_ == Drag::orbit ? Qt::SizeAllCursor
                                   : drag_ == Drag::zoom  ? Qt::SizeVerCursor
-                                                         : Qt::ArrowCursor;
+                                                         : tool_->cursor();
     viewport_.presenter_->setCursor(shape);
 }
 

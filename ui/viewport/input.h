@@ -4,9 +4,10 @@
 
 #include <QPointF>
 
-#include "ui/tools/tool.h"
+#include "ui/tools/tool_list.h"
 
 class QEvent;
+class QKeyEvent;
 class QMouseEvent;
 class QWheelEvent;
 
@@ -30,6 +31,14 @@ public:
     // Tells the tool where the pointer rests, once the picture it rests on is drawn.
     void hover();
 
+    // One of tools(); what the one before was doing is taken back.
+    void setTool(const ToolInfo& tool);
+    [[nodiscard]] const ToolInfo& tool() const { return *info_; }
+    // What the picture is to show of the tool.
+    void show(Overlays& overlays) const { tool_->show(context(), overlays); }
+    // Whether the hand is moving something: the model or the view.
+    [[nodiscard]] bool isBusy() const { return drag_ != Drag::none && drag_ != Drag::undecided; }
+
 private:
     enum class Drag { none, undecided, orbit, pan, zoom, tool };
 
@@ -37,6 +46,9 @@ private:
     bool move(const QMouseEvent& event);
     bool release(const QMouseEvent& event);
     bool wheel(const QWheelEvent& event);
+    bool takesFromShortcuts(QKeyEvent& event);
+    bool key(const QKeyEvent& event);
+    void leave();
     void navigate(const Vec2& way);
     void showCursor();
     [[nodiscard]] ToolContext context() const;
@@ -44,6 +56,7 @@ private:
     void follow(ToolAnswer answer);
 
     Viewport& viewport_;
+    const ToolInfo* info_;
     std::unique_ptr<Tool> tool_;
     Drag drag_ = Drag::none;
     Qt::MouseButton button_ = Qt::NoButton;

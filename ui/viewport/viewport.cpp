@@ -51,6 +51,8 @@ Viewport::Viewport(Document& document, Selection& selection, QWidget* parent)
         requestDraw();
     });
     connect(&selection_, &Selection::changed, this, &Viewport::requestDraw);
+    settling_.setSingleShot(true);
+    connect(&settling_, &QTimer::timeout, this, &Viewport::settle);
     frame_.camera.up = {0, 0, 1};
     frame_.culling = defaultCulling();
     restart();
@@ -117,6 +119,21 @@ void Viewport::setToolSettings(const ToolSettings& settings)
 {
     toolSettings_ = settings;
     Q_EMIT toolSettingsChanged();
+}
+
+void Viewport::setTool(std::string_view name)
+{
+    for (const ToolInfo& info : tools())
+        if (info.name == name && name != tool()) {
+            input_->setTool(info);
+            requestDraw();
+            Q_EMIT toolChanged();
+        }
+}
+
+std::string_view Viewport::tool() const
+{
+    return input_->tool().name;
 }
 
 void Viewport::setCamera(const Camera& camera)
@@ -195,8 +212,14 @@ Pick Viewport::pick(const Vec2& position, double radius)
     if (drawPending_)
         drawNow();
     Result<Pick> picked = renderer_->pick(position.x, position.y, radius);
-    if (picked)
+    if (picked) {
+        if (const auto object = picked->object()) {
+            const SharedObject found = document_.scene().find(*object);
+            if (!found || found->locked)
+                picked->place.reset();
+        }
         return *picked;
+    }
     Q_EMIT failed(QString::fromStdString(picked.error().sentence()));
     return {};
 }

@@ -5,10 +5,12 @@
 #include <memory>
 #include <set>
 
+#include <QTimer>
 #include <QWidget>
 
 #include "ui/tools/tool.h"
 #include "ui/viewport/navigation.h"
+#include "ui/viewport/pace.h"
 #include "ui/viewport/presenter.h"
 #include "ui/viewport/shown_friends.h"
 
@@ -41,6 +43,10 @@ public:
     // Counts from the next press on.
     void setToolSettings(const ToolSettings& settings);
 
+    // One of tools(), by its name; others are passed over.
+    void setTool(std::string_view name);
+    [[nodiscard]] std::string_view tool() const;
+
     // A named view of everything, or of the selected objects. With no renderer the camera moves all the same.
     void look(std::string_view view);
     void fit();
@@ -57,7 +63,8 @@ public:
 
     // Draws at once what would be drawn soon.
     void drawNow();
-    [[nodiscard]] bool isDrawPending() const { return drawPending_; }
+    // Whether another picture comes without anybody doing anything.
+    [[nodiscard]] bool isDrawPending() const { return drawPending_ || settling_.isActive(); }
     [[nodiscard]] PictureSize pictureSize() const;
     // The object that gets the picture's events: a QWindow or a QWidget.
     [[nodiscard]] QObject* surface() const { return presenter_ ? presenter_->surface() : nullptr; }
@@ -72,6 +79,7 @@ Q_SIGNALS:
     void frameDrawn(const knotspan::FrameStats& stats);
     void rendererChanged();
     void toolSettingsChanged();
+    void toolChanged();
     // What a tool has to say while the hand is busy; empty: nothing more.
     void hint(const QString& sentence);
     void failed(const QString& sentence);
@@ -88,6 +96,9 @@ private:
     void addSelectionTo(Overlays& overlays) const;
     [[nodiscard]] Result<void> draw();
     [[nodiscard]] Result<void> present();
+    [[nodiscard]] bool mayLoosen() const;
+    void keepPace(const Frame& drawn, double ms);
+    void settle();
     [[nodiscard]] Pick pick(const Vec2& position, double radius);
 
     Document& document_;
@@ -95,6 +106,9 @@ private:
     ShownFriends* friends_ = nullptr;
     Frame frame_;
     ToolSettings toolSettings_;
+    Pace pace_;
+    double loosened_ = 0;  // the next frame's tolerance, where it is looser than the frame's own
+    QTimer settling_;      // runs while the last picture is looser than asked for
     bool drawPending_ = false;
     bool scenePending_ = true;
     bool viewPending_ = true;    // look at the whole model as soon as the picture has a size

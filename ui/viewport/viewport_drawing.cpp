@@ -1,4 +1,7 @@
 // Drawing on demand: whatever changes asks for a picture, and one turn of the event loop makes at most one.
+#include <algorithm>
+
+#include <QElapsedTimer>
 #include <QGuiApplication>
 #include <QTimer>
 
@@ -10,6 +13,7 @@ namespace knotspan {
 namespace {
 
 constexpr int kShowWindowMs = 60;
+constexpr int kRestMs = 120;  // a hand that moves less often rests
 
 }  // namespace
 
@@ -60,6 +64,13 @@ Result<void> Viewport::draw()
     const bool isPrepared = !prepared_.insert(frame.path).second;
     if (!isPrepared)
         QGuiApplication::setOverrideCursor(Qt::WaitCursor);
+    if (!mayLoosen()) {
+        pace_.rest();
+        loosened_ = 0;
+    }
+    frame.tolerancePx = std::max(frame.tolerancePx, loosened_);
+    QElapsedTimer clock;
+    clock.start();
     const Result<FrameStats> stats = renderer_->draw(frame);
     if (!isPrepared)
         QGuiApplication::restoreOverrideCursor();
@@ -67,8 +78,35 @@ Result<void> Viewport::draw()
         return tl::unexpected(stats.error());
     if (Result<void> shown = present(); !shown)
         return shown;
+    if (isPrepared)
+        keepPace(frame, static_cast<double>(clock.nsecsElapsed()) * 1e-6);
     Q_EMIT frameDrawn(*stats);
     return {};
+}
+
+// While the hand moves, the picture may be coarser than asked for; once it rests, never. Frozen culling would
+// be noted anew for each tolerance.
+bool Viewport::mayLoosen() const
+{
+    return toolSettings_.loosen && input_->isBusy() && !frame_.cullingCamera;
+}
+
+void Viewport::keepPace(const Frame& drawn, double ms)
+{
+    const double asked = frame_.tolerancePx;
+    if (mayLoosen())
+        loosened_ = pace_.afterDrawing({drawn.tolerancePx, ms}, asked);
+    if (drawn.tolerancePx > asked)
+        settling_.start(kRestMs);
+    else
+        settling_.stop();
+}
+
+void Viewport::settle()
+{
+    pace_.rest();
+    loosened_ = 0;
+    requestDraw();
 }
 
 // Where the window system refuses a surface after all, the read-back picture takes over.
@@ -91,11 +129,13 @@ void Viewport::addSelectionTo(Overlays& overlays) const
     overlays.highlighted = overlays.netsOf;
     overlays.marks.clear();
     const auto& hovered = selection_.hovered();
-    if (hovered)
-        overlays.marks.push_back({hovered->object, hovered->index, false});
     for (const auto& [id, chosen] : selection_.points().objects())
         for (const ControlPointIndex index : chosen.points)
-            overlays.marks.push_back({id, index, true});
+            overlays.marks.push_back({id, index});
+    if (hovered)
+        overlays.marks.push_back({hovered->object, hovered->index, kHoverColour});
+    overlays.hovered = selection_.hoveredObject();
+    input_->show(overlays);
 }
 
 }  // namespace knotspan

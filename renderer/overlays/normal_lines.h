@@ -1,0 +1,26 @@
+// A line from the middle of each KSQuad to its front, evaluated on the device: nothing is uploaded for them.
+#pragma once
+
+#include <map>
+
+#include "renderer/vulkan/pipeline.h"
+
+namespace knotspan {
+
+class NormalLines {
+public:
+    NormalLines(const Device& device, const Bindings& bindings) : device_(device), bindings_(bindings) {}
+
+    // With stages for `specialization`, whose evaluator and order are the scene's.
+    void prepare(const Specialization& specialization);
+    // Inside a rendering, with viewport and bindings set.
+    void draw(VkCommandBuffer commands, std::uint32_t ksquads) const;
+
+private:
+    const Device& device_;
+    const Bindings& bindings_;
+    std::map<Specialization, Pipeline> pipelines_;  // made when first needed
+    Specialization specialization_;
+};
+
+}  // namespace knotspan

@@ -1,0 +1,26 @@
+// Straight lines in the picture itself, in front of everything, smooth across and along; they travel only
+// where they changed.
+#pragma once
+
+#include "renderer/frame.h"
+#include "renderer/overlays/sent_records.h"
+#include "shaders/shared/layouts.h"
+
+namespace knotspan {
+
+class Strokes {
+public:
+    Strokes(const Device& device, Bindings& bindings, Uploader& uploader);
+
+    // Those without length, and with ends that are no numbers, are passed over.
+    void prepare(const std::vector<Stroke>& strokes);
+    void forget() { records_.forget(); }
+    // Inside a rendering, with viewport and bindings set: what prepare() was given.
+    void draw(VkCommandBuffer commands) const;
+
+private:
+    Pipeline rectangles_;
+    SentRecords<gpu::StrokeRecord> records_;
+};
+
+}  // namespace knotspan
