@@ -1,165 +1,15 @@
 #include "model/analysis/shell_crossings.h"
 
 #include <algorithm>
-#include <array>
-#include <limits>
 #include <map>
 #include <tuple>
 #include <utility>
 
-#include <glm/geometric.hpp>
-
-#include "model/analysis/bezier_curves.h"
+#include "model/analysis/shell_pieces.h"
 
 namespace knotspan {
 
 namespace {
-
-// How far a net reaches in each of thirteen directions, both ways.
-class Slabs {
-public:
-    explicit Slabs(const BezierNet& net)
-    {
-        low_.fill(std::numeric_limits<double>::infinity());
-        high_.fill(-std::numeric_limits<double>::infinity());
-        for (const Vec4& homogeneous : net.points) {
-            const Vec3 p = pointOf(homogeneous);
-            const std::array<double, kCount> along = {p.x,
-                                                      p.y,
-                                                      p.z,
-                                                      p.x + p.y,
-                                                      p.x - p.y,
-                                                      p.x + p.z,
-                                                      p.x - p.z,
-                                                      p.y + p.z,
-                                                      p.y - p.z,
-                                                      p.x + p.y + p.z,
-                                                      p.x + p.y - p.z,
-                                                      p.x - p.y + p.z,
-                                                      p.x - p.y - p.z};
-            for (size_t k = 0; k < kCount; ++k) {
-                low_[k] = std::min(low_[k], along[k]);
-                high_[k] = std::max(high_[k], along[k]);
-            }
-        }
-    }
-
-    // False where some number is none.
-    [[nodiscard]] bool areApart(const Slabs& other) const
-    {
-        for (size_t k = 0; k < kCount; ++k)
-            if (low_[k] > other.high_[k] || other.low_[k] > high_[k])
-                return true;
-        return false;
-    }
-    [[nodiscard]] double size() const
-    {
-        return high_[0] - low_[0] + (high_[1] - low_[1]) + (high_[2] - low_[2]);
-    }
-
-private:
-    static constexpr size_t kCount = 13;
-    std::array<double, kCount> low_{};
-    std::array<double, kCount> high_{};
-};
-
-// A part of a KSQuad; its quarters are made when they are asked for.
-class Piece {
-public:
-    explicit Piece(BezierNet of) : net_(std::move(of)), slabs_(net_)
-    {
-        for (size_t k = 0; k < 4; ++k)
-            corners_[k] = pointOf(net_.at(k % 2 == 0 ? 0 : net_.degreeU, k < 2 ? 0 : net_.degreeV));
-    }
-
-    [[nodiscard]] const Slabs& slabs() const { return slabs_; }
-    [[nodiscard]] const std::vector<Piece>& quarters()
-    {
-        if (!quarters_.empty())
-            return quarters_;
-        quarters_.reserve(4);
-        const auto [low, high] = split(net_, Direction::U);
-        for (const BezierNet* half : {&low, &high}) {
-            auto [first, second] = split(*half, Direction::V);
-            quarters_.emplace_back(std::move(first));
-            quarters_.emplace_back(std::move(second));
-        }
-        return quarters_;
-    }
-    // Slabs, or a plane along one of both, keep them apart.
-    [[nodiscard]] bool isApartFrom(const Piece& other) const
-    {
-        return slabs_.areApart(other.slabs_) || areApartAlong(across(), *this, other) ||
-               areApartAlong(other.across(), *this, other);
-    }
-    [[nodiscard]] bool sharesCorner(const Piece& other, double margin) const
-    {
-        for (const Vec3& one : corners_)
-            for (const Vec3& another : other.corners_)
-                if (glm::dot(one - another, one - another) <= margin * margin)
-                    return true;
-        return false;
-    }
-
-private:
-    // Across its diagonals.
-    [[nodiscard]] Vec3 across() const
-    {
-        return glm::cross(corners_[3] - corners_[0], corners_[2] - corners_[1]);
-    }
-    [[nodiscard]] static bool areApartAlong(const Vec3& direction, const Piece& one, const Piece& other)
-    {
-        const auto [low, high] = one.reach(direction);
-        const auto [otherLow, otherHigh] = other.reach(direction);
-        return low > otherHigh || otherLow > high;
-    }
-    [[nodiscard]] std::pair<double, double> reach(const Vec3& direction) const
-    {
-        double low = std::numeric_limits<double>::infinity();
-        double high = -low;
-        for (const Vec4& point : net_.points) {
-            const double along = glm::dot(direction, pointOf(point));
-            low = std::min(low, along);
-            high = std::max(high, along);
-        }
-        return {low, high};
-    }
-
-    BezierNet net_;
-    Slabs slabs_;
-    std::array<Vec3, 4> corners_{};
-    std::vector<Piece> quarters_;
-};
-
-// `splits` are those that it may still take.
-bool areApart(const Piece& a, const Piece& b, int& splits)
-{
-    if (a.isApartFrom(b))
-        return true;
-    if (--splits < 0)
-        return false;
-    const bool cutA = a.slabs().size() > b.slabs().size();
-    Piece cut = cutA ? a : b;
-    for (const Piece& quarter : cut.quarters())
-        if (!areApart(quarter, cutA ? b : a, splits))
-            return false;
-    return true;
-}
-
-constexpr int kSplits = 200;
-
-// Of KSQuads beside each other, or of one KSQuad alone: all quarters that have no corner in common.
-bool areApartButForCorners(Piece& a, Piece& b, double margin)
-{
-    for (const Piece& one : a.quarters())
-        for (const Piece& other : b.quarters()) {
-            int splits = kSplits;
-            if (!one.slabs().areApart(other.slabs()) && !one.sharesCorner(other, margin) &&
-                !areApart(one, other, splits))
-                return false;
-        }
-    return true;
-}
 
 struct KsQuadPlace {
     std::uint32_t surface = 0;
@@ -308,8 +158,7 @@ private:
             return false;
         if (neighbours)
             return !areApartButForCorners(piece(k), piece(l), margin_);
-        int splits = kSplits;
-        return !areApart(piece(k), piece(l), splits);
+        return !areApart(piece(k), piece(l));
     }
 
     [[nodiscard]] Piece& piece(size_t k)

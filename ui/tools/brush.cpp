@@ -5,6 +5,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "ui/tools/edit_checks.h"
+
 namespace knotspan {
 
 namespace {
@@ -151,7 +153,13 @@ Result<Edit> Brush::grabbed(const ToolContext& context, const Vec2& to)
                 if (!(surface.controlPoint(i, j) == before->surface.controlPoint(i, j)))
                     pulls.push_back({id, {i, j}, controlPointInModel(**after, {i, j})});
     }
-    return stroke.friends ? stroke_->friends->pull(pulls) : edit;
+    if (!stroke.friends)
+        return edit;
+    auto followed = stroke_->friends->pull(pulls);
+    if (followed)
+        if (const auto free = leavesLockedAlone(context.document.scene(), *followed); !free)
+            return tl::unexpected(free.error());
+    return followed;
 }
 
 Result<Edit> Brush::dabbedAt(const ToolContext& context, const Vec3& centre) const
