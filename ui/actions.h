@@ -23,6 +23,7 @@ struct ActionInfo {
     bool (*isChecked)(MainWindow& window) = nullptr;
     QString (*step)(MainWindow& window) = nullptr;  // what it would undo or redo, told behind the text
     bool separated = false;                         // a line above it
+    bool whileDragging = false;                     // others wait until the hand lets go
 };
 
 // In the order of the menus.

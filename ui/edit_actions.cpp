@@ -36,7 +36,10 @@ void selectAll(Window& window)
 
 void deleteSelected(Window& window)
 {
+    window.document().endPreview();
     const std::set<ObjectId>& objects = window.selection().objects();
+    if (objects.empty())
+        return;  // it was a preview's
     Edit edit;
     for (const ObjectId id : objects)
         edit.set(id, nullptr);
@@ -120,7 +123,8 @@ const std::vector<ActionInfo>& editActions()
          .tip = TEXT("Take the last step back"),
          .run = [](Window& w, bool) { takeBack(w); },
          .isEnabled = [](Window& w) { return w.document().canUndo(); },
-         .step = [](Window& w) { return w.document().undoText(); }},
+         .step = [](Window& w) { return w.document().undoText(); },
+         .whileDragging = true},
         {.id = "edit.redo",
          .text = TEXT("&Redo"),
          .shortcuts = {QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")},
@@ -138,7 +142,8 @@ const std::vector<ActionInfo>& editActions()
          .text = TEXT("&Deselect"),
          .shortcuts = {QKeySequence(Qt::Key_Escape)},
          .tip = TEXT("Take a running drag back; without one, select nothing and let go of the chosen edge"),
-         .run = [](Window& w, bool) { escape(w); }},
+         .run = [](Window& w, bool) { escape(w); },
+         .whileDragging = true},
         {.id = "edit.delete",
          .text = TEXT("D&elete"),
          .shortcuts = {QKeySequence(Qt::Key_Delete)},

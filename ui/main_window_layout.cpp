@@ -59,8 +59,11 @@ void MainWindow::makeActions()
         made->setToolTip(key.isEmpty() ? translatedAction(info.tip)
                                        : QString("%1 (%2)").arg(translatedAction(info.tip), key));
         made->setCheckable(info.isChecked != nullptr);
-        connect(made, &QAction::triggered, this, [this, run = info.run](bool checked) {
-            run(*this, checked);
+        connect(made, &QAction::triggered, this, [this, &info](bool checked) {
+            if (viewport_->isDragging() && !info.whileDragging)
+                statusBar()->showMessage(tr("First let go of what you drag, or press Escape"));
+            else
+                info.run(*this, checked);
             showActionStates();  // Qt has checked or unchecked it, whatever came of it
         });
         addAction(made);  // so that its keys work whatever menu is open

@@ -40,11 +40,17 @@ void tell(Window& window, Sides sides, const QString& step)
         window.document().apply(edit, step);
 }
 
+// Of the model itself: what is only previewed goes, and is let go of.
+std::set<ObjectId> chosenObjects(Window& window)
+{
+    window.document().endPreview();
+    return window.selection().objects();
+}
+
 // Each object for which `wanted` says something else than what it is.
 template <class Wanted>
 void tellEach(Window& window, bool SceneObject::*what, const Wanted& wanted, const QString& step)
 {
-    window.document().endPreview();
     Edit edit;
     for (const auto& [id, object] : window.document().scene().objects()) {
         const bool value = wanted(id, *object);
@@ -60,7 +66,7 @@ void tellEach(Window& window, bool SceneObject::*what, const Wanted& wanted, con
 
 void hideSelected(Window& window)
 {
-    const std::set<ObjectId> chosen = window.selection().objects();
+    const std::set<ObjectId> chosen = chosenObjects(window);
     tellEach(
         window, &SceneObject::visible,
         [&](ObjectId id, const SceneObject& object) { return object.visible && chosen.count(id) == 0; },
@@ -70,14 +76,17 @@ void hideSelected(Window& window)
 
 void isolateSelected(Window& window)
 {
+    const std::set<ObjectId> chosen = chosenObjects(window);
+    if (chosen.empty())
+        return;  // all would go
     tellEach(
-        window, &SceneObject::visible,
-        [&](ObjectId id, const SceneObject&) { return window.selection().contains(id); },
+        window, &SceneObject::visible, [&](ObjectId id, const SceneObject&) { return chosen.count(id) != 0; },
         MainWindow::tr("Isolate"));
 }
 
 void showAll(Window& window)
 {
+    window.document().endPreview();
     tellEach(
         window, &SceneObject::visible, [](ObjectId, const SceneObject&) { return true; },
         MainWindow::tr("Show all"));
@@ -85,7 +94,7 @@ void showAll(Window& window)
 
 void lockSelected(Window& window)
 {
-    const std::set<ObjectId> chosen = window.selection().objects();
+    const std::set<ObjectId> chosen = chosenObjects(window);
     tellEach(
         window, &SceneObject::locked,
         [&](ObjectId id, const SceneObject& object) { return object.locked || chosen.count(id) != 0; },
@@ -94,6 +103,7 @@ void lockSelected(Window& window)
 
 void unlockAll(Window& window)
 {
+    window.document().endPreview();
     tellEach(
         window, &SceneObject::locked, [](ObjectId, const SceneObject&) { return false; },
         MainWindow::tr("Unlock all"));
@@ -183,7 +193,7 @@ const std::vector<ActionInfo>& objectActions()
          .isEnabled = hasSelection},
         {.id = "object.showAll",
          .text = TEXT("Sho&w all"),
-         .shortcuts = {QKeySequence("Alt+H")},
+         .shortcuts = {QKeySequence("Ctrl+Shift+H")},
          .tip = TEXT("Show every object again"),
          .run = [](Window& w, bool) { showAll(w); },
          .isEnabled = anyHidden},

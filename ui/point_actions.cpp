@@ -1,9 +1,10 @@
 // The menu Points: which control points are selected, and moving them by keys.
 #include "ui/action_rows.h"
 
-#include "model/sculpting/point_drag.h"
-#include "model/sculpting/twins.h"
+#include <QStatusBar>
+
 #include "ui/points_dialog.h"
+#include "ui/tools/point_dragging.h"
 
 namespace knotspan {
 
@@ -54,34 +55,39 @@ void invert(Window& window)
         inverted(window.selection().points(), window.document().scene(), window.selection().objects()));
 }
 
+ToolSettings settingsOf(Window& window)
+{
+    ToolSettings settings = window.viewport().toolSettings();
+    settings.friends = window.friends().friends().tolerances();
+    return settings;
+}
+
 // By some of the hand's pixels at the depth of the selected points.
 void nudge(Window& window, double right, double up)
 {
     window.document().endPreview();
     const Scene& scene = window.document().scene();
-    const PointSelection chosen = withTwins(scene, window.selection().points());
-    DragSettings settings = window.viewport().toolSettings().drag;
-    settings.axis = DragAxis::free;
-    settings.others = window.selection().objects();
-    const auto drag = PointDrag::begin(scene, chosen, settings);
-    if (!drag)
-        return;
+    const PointSelection& chosen = window.selection().points();
+    if (chosen.isEmpty())
+        return;  // they were a preview's
     const auto& [id, points] = *chosen.objects().begin();
     const Camera& camera = window.viewport().frame().camera;
     const double step =
         kNudgePx * camera.unitsPerPixel(controlPointInModel(*scene.find(id), points.points.front()),
                                         window.viewport().pictureSize().height);
-    const auto edit = drag->moved((camera.right() * right + camera.upward() * up) * step);
-    if (edit)
-        window.document().apply(*edit, MainWindow::tr("Nudge control points"));
+    const auto moved = movedPoints(scene, chosen, settingsOf(window),
+                                   (camera.right() * right + camera.upward() * up) * step);
+    if (moved)
+        window.document().apply(moved->edit, MainWindow::tr("Nudge control points"));
+    else
+        window.statusBar()->showMessage(QString::fromStdString(moved.error().sentence()));
 }
 
 void byNumbers(Window& window)
 {
     broughtUp<PointsDialog>(window, [&] {
         return new PointsDialog(
-            window.document(), window.selection(),
-            [&window] { return window.viewport().toolSettings().drag; }, &window);
+            window.document(), window.selection(), [&window] { return settingsOf(window); }, &window);
     });
 }
 

@@ -6,6 +6,7 @@
 #include "model/scene/control_point_editing.h"
 #include "model/sculpting/twins.h"
 #include "model/sculpting/weights.h"
+#include "ui/tools/point_dragging.h"
 
 namespace knotspan {
 
@@ -25,11 +26,11 @@ Vec3 middleOf(const Scene& scene, const PointSelection& points)
 
 }  // namespace
 
-PointsDialog::PointsDialog(Document& document, Selection& selection, std::function<DragSettings()> drag,
+PointsDialog::PointsDialog(Document& document, Selection& selection, std::function<ToolSettings()> settings,
                            QWidget* parent)
     : MakingDialog(document, selection, tr("Control points by numbers"), parent),
       chosen_(selection),
-      drag_(std::move(drag))
+      settings_(std::move(settings))
 {
     setObjectName("points-dialog");
     what_ = addChoice("what", tr("&What to do"), tr("What is done to the selected control points"),
@@ -90,13 +91,6 @@ Making PointsDialog::make() const
 
 Making PointsDialog::moving(const PointSelection& chosen) const
 {
-    const PointSelection all = withTwins(scene(), chosen);
-    DragSettings settings = drag_();
-    settings.axis = DragAxis::free;
-    settings.others = chosen_.objects();
-    const auto drag = PointDrag::begin(scene(), all, settings);
-    if (!drag)
-        return refusal(drag.error());
     const bool absolute = static_cast<What>(what_->currentIndex()) == What::moveTo;
     Vec3 by = valueOf(place_);
     if (absolute) {
@@ -104,17 +98,16 @@ Making PointsDialog::moving(const PointSelection& chosen) const
         for (int axis = 0; axis < 3; ++axis)  // a box that nobody touched shows too few digits
             by[axis] = by[axis] == offered_[axis] ? 0 : by[axis] - middle[axis];
     }
-    auto edit = drag->moved(by);
-    if (!edit)
-        return refusal(edit.error());
+    auto points = movedPoints(scene(), chosen, settings_(), by);
+    if (!points)
+        return refusal(points.error());
     const auto count = static_cast<int>(chosen.size());
     Making making;
-    making.edit = *std::move(edit);
+    making.edit = std::move(points->edit);
     making.step = count == 1 ? tr("Move control point") : tr("Move %1 control points").arg(count);
-    const size_t moving = drag->moving().size();
     const QString moved = count == 1 ? tr("Moves the selected control point")
                                      : tr("Moves the %1 selected control points").arg(count);
-    const size_t following = moving - all.size();
+    const size_t following = points->following;
     making.told = following == 0 ? tr("%1.").arg(moved) : tr("%1; %2 follow.").arg(moved).arg(following);
     return making;
 }

@@ -1,11 +1,11 @@
-// Points > By numbers: the selected control points moved by or to coordinates, or given a weight. Falloff and
-// symmetry follow as when they are dragged.
+// Points > By numbers: the selected control points moved by or to coordinates, or given a weight. Falloff,
+// symmetry and friends follow as when they are dragged.
 #pragma once
 
 #include <functional>
 
-#include "model/sculpting/point_drag.h"
 #include "ui/making_dialog.h"
+#include "ui/tools/tool.h"
 
 namespace knotspan {
 
@@ -13,8 +13,8 @@ class PointsDialog : public MakingDialog {
     Q_OBJECT
 
 public:
-    // `drag`: how drags go at the moment.
-    PointsDialog(Document& document, Selection& selection, std::function<DragSettings()> drag,
+    // `settings`: what a drag would follow at the moment.
+    PointsDialog(Document& document, Selection& selection, std::function<ToolSettings()> settings,
                  QWidget* parent = nullptr);
 
 protected:
@@ -27,7 +27,7 @@ private:
     void showWhatCounts();
 
     Selection& chosen_;
-    std::function<DragSettings()> drag_;
+    std::function<ToolSettings()> settings_;
     PointSelection seen_;
     QComboBox* what_ = nullptr;
     VectorBoxes place_{};

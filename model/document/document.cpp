@@ -45,6 +45,14 @@ QUndoStack& Document::undoStack()
     return undoStack_;
 }
 
+// Whether the running gesture has come back to where it began.
+bool Document::isBackAtStart() const
+{
+    Scene start = scene_;
+    Edit(running_->edit).applyTo(start);
+    return start.objects() == scene_.objects();  // pointers
+}
+
 Result<void> Document::open(const fs::path& path)
 {
     Result<Scene> scene = formats::read(path);
@@ -180,6 +188,11 @@ void Document::finishRunning()
     endPreview();
     if (!running_)
         return;
+    if (isBackAtStart()) {  // no step, and what could be redone still can
+        running_.reset();
+        Q_EMIT fileChanged();
+        return;
+    }
     Running finished = std::move(*running_);
     running_.reset();
     undoStack_.push(new EditCommand(*this, std::move(finished.edit), finished.text));

@@ -91,6 +91,7 @@ private:
     [[nodiscard]] bool isDragging() const { return running_ && !running_->isPreview; }
     void swapIn(Edit& edit);
     void finishRunning();
+    [[nodiscard]] bool isBackAtStart() const;
     void replace(Scene scene, const std::filesystem::path& file, const QString& title, bool isImported);
 
     Scene scene_;

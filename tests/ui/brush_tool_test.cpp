@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "model/geometry/evaluation.h"
+#include "model/sculpting/best_plane.h"
 #include "model/sculpting/brushes.h"
 #include "model/sculpting/net_directions.h"
 #include "model/sculpting/weights.h"
@@ -16,6 +17,16 @@ namespace knotspan {
 namespace {
 
 using namespace knotspan::testing;
+
+// The sum of squared distances from the plane that fits best.
+double unevenness(const std::vector<Vec3>& points)
+{
+    const BestPlane plane = bestPlaneOf(points, std::vector<double>(points.size(), 1.0));
+    double sum = 0;
+    for (const Vec3& point : points)
+        sum += std::pow(glm::dot(point - plane.point, plane.normal), 2);
+    return sum;
+}
 
 class BrushToolTest : public OneSurfaceTest {
 protected:
@@ -178,10 +189,23 @@ TEST_F(BrushToolTest, FlattenBringsPointsToAPlaneAndTheCircleShows)
     settle(*window);
     EXPECT_GT(differingPixels(withCircle, picture(*window)), 100);
     act("tools.flatten");
-    const double before = heightOf(spiked);
+    const SharedObject before = scene().find(id);
     hand.click(pixelOf(spiked));
-    EXPECT_LT(heightOf(spiked), before);
     EXPECT_EQ(steps(), 2);
+    EXPECT_EQ(window->document().undoText(), "Flatten");
+    // What has moved is nearer to a plane than it was.
+    std::vector<Vec3> was;
+    std::vector<Vec3> is;
+    for (size_t k = 0; k < before->surface.controlPoints().size(); ++k) {
+        const Vec3 from = before->surface.controlPoints()[k].position;
+        const Vec3 to = scene().find(id)->surface.controlPoints()[k].position;
+        if (from != to) {
+            was.push_back(from);
+            is.push_back(to);
+        }
+    }
+    ASSERT_GT(was.size(), 3U);
+    EXPECT_LT(unevenness(is), unevenness(was));
 }
 
 TEST_F(BrushToolTest, BesideTheModelABrushTurnsTheViewAndLeavesIt)

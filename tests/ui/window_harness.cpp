@@ -165,6 +165,7 @@ bool Hand::key(int key, const QString& text, Qt::KeyboardModifiers keys)
 void Hand::hover(Vec2 at, Qt::KeyboardModifiers keys)
 {
     at_ = at;
+    down_ = Qt::NoButton;
     keys_ = keys;
     send(QEvent::MouseMove, Qt::NoButton);
     keys_ = {};

@@ -6,6 +6,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
+#include <QLineEdit>
 #include <QScopedValueRollback>
 
 #include "ui/viewport/described.h"
@@ -46,6 +47,9 @@ QDoubleSpinBox* ToolForm::number(const char* id, const QString& label, const QSt
     box->setDecimals(range.decimals);
     form_->addRow(label, box);
     connect(box, &QDoubleSpinBox::valueChanged, this, &ToolForm::tell);
+    // Enter goes back to the picture, where keys are the tools'.
+    connect(box->findChild<QLineEdit*>(), &QLineEdit::returnPressed, &viewport_,
+            qOverload<>(&QWidget::setFocus));
     return box;
 }
 

@@ -16,6 +16,8 @@ constexpr double kSpacing = 0.2;
 // Of a whole strength: what one of many dabs does.
 constexpr double kInflatePerDab = 0.1;
 constexpr double kSmoothPerDab = 0.5;
+// A hand that only clicks trembles less than this.
+constexpr double kStillPx = 3;
 
 QString stepOf(BrushKind kind)
 {
@@ -70,11 +72,14 @@ void Brush::leave(const ToolContext& context)
 
 ToolAnswer Brush::press(const ToolContext& context, const ToolPointer& pointer)
 {
+    context.document.endPreview();  // before anything is looked at: it may be what is under the pointer
     const Pick pick = context.pick(pointer.position);
     const std::set<ObjectId> objects = touchable(context);
-    if (!pick.place || objects.count(pick.place->object) == 0)
+    if (!pick.place || objects.count(pick.place->object) == 0) {
+        if (pick.place)
+            context.hint(QObject::tr("This object is not selected: brushes change the selected ones"));
         return ToolAnswer::pass;
-    context.document.endPreview();
+    }
     stroke_.emplace();
     BrushStroke& stroke = *stroke_;
     const bool smooths = pointer.modifiers.testFlag(Qt::ShiftModifier);
@@ -103,6 +108,10 @@ ToolAnswer Brush::move(const ToolContext& context, const ToolPointer& pointer)
     context.redraw();
     BrushStroke& stroke = *stroke_;
     if (stroke.kind == BrushKind::grab) {
+        if (!stroke.hasMoved &&
+            glm::distance(pointer.position, stroke.pressed) < kStillPx * context.pixelRatio)
+            return ToolAnswer::keep;
+        stroke.hasMoved = true;
         apply(context, grabbed(context, pointer.position));
         return ToolAnswer::keep;
     }
@@ -118,7 +127,7 @@ ToolAnswer Brush::move(const ToolContext& context, const ToolPointer& pointer)
 
 ToolAnswer Brush::release(const ToolContext& context, const ToolPointer&)
 {
-    const QString refusal = stroke_->refusal;
+    const QString refusal = stroke_->hasChanged ? QString() : stroke_->refusal;
     stroke_.reset();
     context.hint({});
     if (!refusal.isEmpty())
@@ -140,6 +149,8 @@ Result<Edit> Brush::grabbed(const ToolContext& context, const Vec2& to)
     std::vector<ObjectPull> pulls;
     for (const ObjectId id : stroke.objects) {
         const SharedObject before = stroke.start.find(id);
+        if (!before)
+            continue;
         const auto after = dabbed(before, BrushKind::grab, dab);
         if (!after)
             return tl::unexpected(after.error());
@@ -173,11 +184,18 @@ Result<Edit> Brush::dabbedAt(const ToolContext& context, const Vec3& centre) con
 
 void Brush::apply(const ToolContext& context, const Result<Edit>& edit)
 {
-    stroke_->refusal.clear();
+    QString said;
     if (!edit)
-        stroke_->refusal = QString::fromStdString(edit.error().sentence());
-    else if (!edit->isEmpty())
-        context.document.apply(*edit, stepOf(stroke_->kind), context.gesture);
+        said = QString::fromStdString(edit.error().sentence());
+    else if (edit->isEmpty() && !stroke_->hasChanged)
+        said = QObject::tr("No control point lies under the brush: make it larger with ], or insert knots");
+    if (said != stroke_->refusal)
+        context.hint(said);
+    stroke_->refusal = edit ? QString() : said;
+    if (!edit || edit->isEmpty())
+        return;
+    stroke_->hasChanged = true;
+    context.document.apply(*edit, stepOf(stroke_->kind), context.gesture);
 }
 
 void Brush::show(const ToolContext& context, Overlays& overlays) const
@@ -185,13 +203,18 @@ void Brush::show(const ToolContext& context, Overlays& overlays) const
     if (!over_)
         return;
     constexpr int kSides = 48;
+    const auto width = static_cast<float>(2 * context.pixelRatio);
     const double radius = context.settings.brush.radiusPx * context.pixelRatio;
     const auto corner = [&](int k) {
         const double angle = 2 * std::numbers::pi * k / kSides;
         return *over_ + radius * Vec2(std::cos(angle), std::sin(angle));
     };
     for (int k = 0; k < kSides; ++k)
-        overlays.strokes.push_back({.from = corner(k), .to = corner(k + 1), .opacity = 0.8F});
+        overlays.strokes.push_back({.from = corner(k),
+                                    .to = corner(k + 1),
+                                    .widthFromPx = width,
+                                    .widthToPx = width,
+                                    .opacity = 0.8F});
 }
 
 }  // namespace knotspan

@@ -35,6 +35,8 @@ private:
         Vec2 pressed{0};
         Vec2 last{0};                            // of the last dab
         std::optional<DragWithFriends> friends;  // of grab, where they are kept
+        bool hasMoved = false;                   // further than a hand trembles
+        bool hasChanged = false;                 // something
         QString refusal;
     };
     [[nodiscard]] Result<Edit> grabbed(const ToolContext& context, const Vec2& to);

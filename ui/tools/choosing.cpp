@@ -36,7 +36,8 @@ void chooseObjects(Selection& selection, const std::set<ObjectId>& objects, Choo
     for (const ObjectId id : objects)
         if (how != Choosing::toggling || chosen.erase(id) == 0)
             chosen.insert(id);
-    selection.setPoints({});
+    if (how == Choosing::alone)
+        selection.setPoints({});
     selection.setObjects(std::move(chosen));
 }
 

@@ -10,7 +10,7 @@ enum class Choosing { alone, adding, toggling };
 
 // The objects of points that are chosen alone are chosen alone, too.
 void choosePoints(Selection& selection, const PointSelection& points, Choosing how);
-// Control points are let go.
+// Alone lets go of all control points, the others only of those whose objects go.
 void chooseObjects(Selection& selection, const std::set<ObjectId>& objects, Choosing how);
 
 // What is under a pixel, where the filter lets it: a control point before a surface, otherwise nothing, which

@@ -108,6 +108,13 @@ void DragGesture::accept(const ToolContext& context)
     gizmoMoved_ = dragging_->gizmoMoved();
     if (!typed_.isEmpty()) {
         QString text = QString::fromStdString(typed_.text()).trimmed();
+        // A comma may mean a decimal to who types it: several numbers are told as they were understood.
+        if (const auto numbers = typed_.numbers(); numbers && numbers->values.size() > 1) {
+            QStringList parts;
+            for (const double value : numbers->values)
+                parts += QString::number(value);
+            text = (numbers->absolute ? "=" : "") + parts.join(" | ");
+        }
         context.hint(QObject::tr("%1: %2%3 - Enter to take it, Escape to leave it")
                          .arg(dragging_->manner(), text, dragging_->unit(context.document.scene())));
     } else if (isHinting_) {
@@ -140,7 +147,8 @@ ToolAnswer DragGesture::key(const ToolContext& context, const QKeyEvent& event)
     if (event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter)
         return take(context);
     if (const auto axis = axisOf(event.key())) {
-        choose(context, *axis);
+        if (!event.isAutoRepeat())
+            choose(context, *axis);
         return ToolAnswer::keep;
     }
     const bool isChanged = event.key() == Qt::Key_Backspace ? typed_.erase() : typed_.type(signOf(event));

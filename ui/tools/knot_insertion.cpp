@@ -80,10 +80,11 @@ Result<SharedObject> KnotInsertion::withKnots(const SceneObject& object) const
     return std::make_shared<SceneObject>(std::move(changed));
 }
 
-ToolAnswer KnotInsertion::release(const ToolContext& context, const ToolPointer& pointer)
+// What is lit is what comes.
+ToolAnswer KnotInsertion::release(const ToolContext& context, const ToolPointer&)
 {
     context.hint({});
-    if (!look(context, pointer))
+    if (!place_ || !context.document.scene().find(place_->object))
         return ToolAnswer::revert;
     const auto object = withKnots(*context.document.scene().find(place_->object));
     if (!object) {

@@ -5,9 +5,45 @@
 #include <glm/geometric.hpp>
 
 #include "model/sculpting/twins.h"
+#include "ui/tools/edit_checks.h"
 #include "ui/tools/reach.h"
 
 namespace knotspan {
+
+namespace {
+
+Result<Edit> pulled(DragWithFriends& friends, const PointDrag& points, const Vec3& by)
+{
+    std::vector<ObjectPull> pulls;
+    for (const auto& [id, shifts] : points.shifts(by))
+        for (const PointShift& shift : shifts)
+            pulls.push_back({id, shift.index, friends.startOf(id, shift.index) + shift.by});
+    return friends.pull(pulls);
+}
+
+}  // namespace
+
+Result<MovedPoints> movedPoints(const Scene& scene, const PointSelection& chosen,
+                                const ToolSettings& settings, const Vec3& by)
+{
+    DragSettings drag = settings.drag;
+    drag.axis = DragAxis::free;
+    drag.others = mayFollow(scene, drag);
+    const PointSelection leaders = withTwins(scene, chosen);
+    const auto points = PointDrag::begin(scene, leaders, drag);
+    if (!points)
+        return tl::unexpected(points.error());
+    Result<Edit> edit = points->moved(by);
+    if (settings.keepFriends) {
+        DragWithFriends friends(scene, settings.friends);
+        edit = pulled(friends, *points, by);
+    }
+    if (!edit)
+        return tl::unexpected(edit.error());
+    if (const auto allowed = leavesLockedAlone(scene, *edit); !allowed)
+        return tl::unexpected(allowed.error());
+    return MovedPoints{*std::move(edit), points->moving().size() - leaders.size()};
+}
 
 Result<void> PointDragging::begin(const ToolContext& context)
 {
@@ -96,11 +132,7 @@ Result<Edit> PointDragging::movedAlongAxis(double distance)
 
 Result<Edit> PointDragging::movedWithFriends(const Vec3& by)
 {
-    std::vector<ObjectPull> pulls;
-    for (const auto& [id, shifts] : points_->shifts(by))
-        for (const PointShift& shift : shifts)
-            pulls.push_back({id, shift.index, friends_->startOf(id, shift.index) + shift.by});
-    return friends_->pull(pulls);
+    return pulled(*friends_, *points_, by);
 }
 
 QString PointDragging::step() const

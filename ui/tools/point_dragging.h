@@ -8,6 +8,15 @@
 
 namespace knotspan {
 
+// The selected points moved at once, with all that follows a drag: falloff, images, friends. The settings'
+// axis does not count.
+struct MovedPoints {
+    Edit edit;
+    size_t following = 0;  // control points beside the selected ones; friends are not counted
+};
+[[nodiscard]] Result<MovedPoints> movedPoints(const Scene& scene, const PointSelection& chosen,
+                                              const ToolSettings& settings, const Vec3& by);
+
 class PointDragging : public Dragging {
 public:
     // `start`: where what the hand holds stands, in model space.

@@ -31,9 +31,15 @@ std::set<ObjectId> objectsThatShow(const Scene& scene)
     return shown;
 }
 
-Stroke line(const Vec2& from, const Vec2& to, float opacity)
+Stroke line(const Vec2& from, const Vec2& to, double pixelRatio, float opacity)
 {
-    return {.from = from, .to = to, .colour = kColour, .opacity = opacity};
+    const auto width = static_cast<float>(2 * pixelRatio);
+    return {.from = from,
+            .to = to,
+            .colour = kColour,
+            .widthFromPx = width,
+            .widthToPx = width,
+            .opacity = opacity};
 }
 
 }  // namespace
@@ -45,6 +51,7 @@ void RegionSelect::hover(const ToolContext& context, const ToolPointer& pointer)
 
 ToolAnswer RegionSelect::press(const ToolContext& context, const ToolPointer& pointer)
 {
+    context.document.endPreview();
     context.selection.setHovered({});
     corners_ = {pointer.position};
     return ToolAnswer::keep;
@@ -97,7 +104,7 @@ ToolAnswer RegionSelect::release(const ToolContext& context, const ToolPointer& 
     return ToolAnswer::commit;
 }
 
-void RegionSelect::show(const ToolContext&, Overlays& overlays) const
+void RegionSelect::show(const ToolContext& context, Overlays& overlays) const
 {
     if (corners_.size() < 2)
         return;
@@ -108,9 +115,10 @@ void RegionSelect::show(const ToolContext&, Overlays& overlays) const
         outline = {a, {b.x, a.y}, b, {a.x, b.y}};
     }
     for (size_t k = 0; k + 1 < outline.size(); ++k)
-        overlays.strokes.push_back(line(outline[k], outline[k + 1], 1));
+        overlays.strokes.push_back(line(outline[k], outline[k + 1], context.pixelRatio, 1));
     // What closes a lasso is not drawn by the hand.
-    overlays.strokes.push_back(line(outline.back(), outline.front(), shape_ == RegionShape::box ? 1 : 0.4F));
+    overlays.strokes.push_back(
+        line(outline.back(), outline.front(), context.pixelRatio, shape_ == RegionShape::box ? 1 : 0.4F));
 }
 
 }  // namespace knotspan

@@ -78,6 +78,9 @@ void Selection::keepOnly(const Scene& scene)
     std::set<ObjectId> kept;
     PointSelection points = points_;
     points.keepOnly(scene);
+    for (const auto& [id, chosen] : points_.objects())
+        if (const SharedObject object = scene.find(id); object && !object->visible)
+            points.remove(PointSelection(id, chosen.net, chosen.points));
     for (const ObjectId id : objects_)
         if (const SharedObject object = scene.find(id); object && !object->locked)
             kept.insert(id);

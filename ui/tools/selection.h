@@ -32,8 +32,8 @@ public:
     void setHoveredObject(std::optional<ObjectId> object);
     void clear();
 
-    // Lets go of what the scene no longer has or has locked, and of points whose net has another size: their indices name
-    // other points then.
+    // Lets go of what the scene no longer has or has locked, of points of hidden objects, and of points whose
+    // net has another size: their indices name other points then.
     void keepOnly(const Scene& scene);
 
 Q_SIGNALS:

@@ -10,11 +10,11 @@
 namespace knotspan {
 
 struct ToolInfo {
-    const char* name;         // "select"
-    const char* text;         // for its action, with a mnemonic
-    const char* key;          // its shortcut
-    const char* tip;          // a sentence without a full stop
-    const char* hint;         // what the hand does with it, for the status line
+    const char* name;  // "select"
+    const char* text;  // for its action, with a mnemonic
+    const char* key;   // its shortcut
+    const char* tip;   // a sentence without a full stop
+    const char* hint;  // what the hand does with it, for the status line
     std::unique_ptr<Tool> (*make)();
 };
 

@@ -44,6 +44,7 @@ bool TypedNumbers::erase()
 
 Result<DragNumbers> TypedNumbers::numbers() const
 {
+    constexpr double kMost = 1e12;  // beyond, pictures are noise
     constexpr std::string_view kBetween = ", ";
     DragNumbers result;
     std::string_view rest = text_;
@@ -59,6 +60,8 @@ Result<DragNumbers> TypedNumbers::numbers() const
         const auto number = numberOf(rest.substr(begin, end - begin));
         if (!number)
             return tl::unexpected(number.error());
+        if (std::abs(*number) > kMost)
+            return failure("Nothing is moved that far", "Type a number of less than thirteen digits");
         result.values.push_back(*number);
         rest.remove_prefix(end);
     }

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kPixelsPerE = 100;
 constexpr double kFine = 0.1;
+constexpr double kStillPx = 3;  // a hand that only clicks trembles less
 
 double weightOf(const Scene& scene, const ScenePoint& point)
 {
@@ -41,14 +42,20 @@ ToolAnswer WeightDrag::press(const ToolContext& context, const ToolPointer& poin
     if (!context.selection.points().contains(*point))
         return ToolAnswer::commit;  // taken out
     const PointSelection chosen = withTwins(scene, context.selection.points());
-    drag_ = Drag{scene, *point, chosen, factorRange(scene, chosen), 0, pointer.position.y};
-    context.hint(QObject::tr("Weight %1: drag up or down").arg(weightOf(scene, *point)));
+    drag_ = Drag{scene, *point, chosen, factorRange(scene, chosen), 0, pointer.position.y, false};
+    QString hint = QObject::tr("Weight %1: drag up or down").arg(weightOf(scene, *point));
+    if (context.settings.keepFriends)
+        hint += QObject::tr("; friends do not follow weights");
+    context.hint(hint);
     return ToolAnswer::keep;
 }
 
 ToolAnswer WeightDrag::move(const ToolContext& context, const ToolPointer& pointer)
 {
     const double share = pointer.modifiers.testFlag(Qt::ShiftModifier) ? kFine : 1;
+    if (!drag_->hasMoved && std::abs(pointer.position.y - drag_->last) < kStillPx * context.pixelRatio)
+        return ToolAnswer::keep;
+    drag_->hasMoved = true;
     drag_->way += share * (drag_->last - pointer.position.y) / context.pixelRatio;
     drag_->last = pointer.position.y;
     if (drag_->range.low > drag_->range.high) {

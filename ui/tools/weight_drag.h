@@ -26,6 +26,7 @@ private:
         FactorRange range;
         double way = 0;  // upwards, in the hand's pixels that count
         double last = 0;
+        bool hasMoved = false;
     };
     std::optional<Drag> drag_;
 };

@@ -42,7 +42,9 @@ bool Input::handle(QEvent& event)
     case QEvent::ShortcutOverride:
         return takesFromShortcuts(static_cast<QKeyEvent&>(event));
     case QEvent::KeyPress:
-        return key(static_cast<QKeyEvent&>(event));
+        return modifier(static_cast<QKeyEvent&>(event), true) || key(static_cast<QKeyEvent&>(event));
+    case QEvent::KeyRelease:
+        return modifier(static_cast<QKeyEvent&>(event), false);
     default:
         return false;
     }
@@ -104,12 +106,25 @@ bool Input::takesFromShortcuts(QKeyEvent& event)
     return true;
 }
 
+// What a click would do may be another thing with it, and lights up.
+bool Input::modifier(const QKeyEvent& event, bool isDown)
+{
+    const Qt::KeyboardModifier modifier = event.key() == Qt::Key_Shift     ? Qt::ShiftModifier
+                                          : event.key() == Qt::Key_Control ? Qt::ControlModifier
+                                                                           : Qt::NoModifier;
+    if (modifier == Qt::NoModifier || !resting_)
+        return false;
+    resting_->modifiers.setFlag(modifier, isDown);
+    hover();
+    return false;
+}
+
 bool Input::key(const QKeyEvent& event)
 {
-    if (drag_ != Drag::tool)
-        return false;
     if (event.key() == Qt::Key_Escape)
         return cancel();
+    if (drag_ != Drag::tool)
+        return false;
     const ToolAnswer answer = tool_->key(context(), event);
     if (answer == ToolAnswer::pass)
         return false;
@@ -147,6 +162,8 @@ bool Input::press(const QMouseEvent& event)
 bool Input::move(const QMouseEvent& event)
 {
     const ToolPointer at = pointer(event);
+    if (drag_ != Drag::none && !event.buttons().testFlag(button_))
+        end(at);  // the button went up where nobody told
     if (drag_ == Drag::none) {
         resting_ = at;
         if (!viewport_.drawPending_)
@@ -171,14 +188,19 @@ bool Input::release(const QMouseEvent& event)
 {
     if (drag_ == Drag::none || event.button() != button_)
         return drag_ != Drag::none;
+    end(pointer(event));
+    return true;
+}
+
+void Input::end(const ToolPointer& at)
+{
     const Drag ended = drag_;
     if (ended == Drag::tool)
-        follow(tool_->release(context(), pointer(event)));
+        follow(tool_->release(context(), at));
     drag_ = Drag::none;
     if (ended == Drag::undecided)
-        tool_->click(context(), pointer(event));
+        tool_->click(context(), at);
     showCursor();
-    return true;
 }
 
 void Input::follow(ToolAnswer answer)
@@ -198,15 +220,20 @@ void Input::follow(ToolAnswer answer)
         break;
     }
     drag_ = Drag::none;
+    viewport_.requestDraw();  // without what the tool showed meanwhile
 }
 
 bool Input::cancel()
 {
-    if (drag_ != Drag::tool)
+    if (drag_ == Drag::none)
         return false;
-    follow(ToolAnswer::revert);
-    Q_EMIT viewport_.hint({});
-    showCursor();
+    if (drag_ == Drag::tool) {
+        follow(ToolAnswer::revert);
+        Q_EMIT viewport_.hint({});
+    }
+    drag_ = Drag::none;
+    if (viewport_.presenter_)
+        showCursor();
     return true;
 }
 
@@ -230,6 +257,8 @@ void Input::navigate(const Vec2& way)
 
 bool Input::wheel(const QWheelEvent& event)
 {
+    if (drag_ == Drag::tool)
+        return true;  // its way is measured in this view
     const double steps = event.angleDelta().isNull() ? event.pixelDelta().y() / kTouchpadNotchPx
                                                      : event.angleDelta().y() / kWheelNotch;
     const double ratio = viewport_.presenter_->pixelRatio();

@@ -25,7 +25,7 @@ public:
     // True where the event is used up.
     bool handle(QEvent& event);
 
-    // Takes a running drag of a tool back; false where none ran.
+    // Takes a running drag of a tool back, or stops the view's; false where neither ran.
     bool cancel();
 
     // Tells the tool where the pointer rests, once the picture it rests on is drawn.
@@ -38,6 +38,8 @@ public:
     void show(Overlays& overlays) const { tool_->show(context(), overlays); }
     // Whether the hand is moving something: the model or the view.
     [[nodiscard]] bool isBusy() const { return drag_ != Drag::none && drag_ != Drag::undecided; }
+    // Whether a tool is in the middle of a gesture.
+    [[nodiscard]] bool isDragging() const { return drag_ == Drag::tool; }
 
 private:
     enum class Drag { none, undecided, orbit, pan, zoom, tool };
@@ -48,6 +50,8 @@ private:
     bool wheel(const QWheelEvent& event);
     bool takesFromShortcuts(QKeyEvent& event);
     bool key(const QKeyEvent& event);
+    bool modifier(const QKeyEvent& event, bool isDown);
+    void end(const ToolPointer& at);
     void leave();
     void navigate(const Vec2& way);
     void showCursor();

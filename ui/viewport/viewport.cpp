@@ -184,6 +184,11 @@ bool Viewport::cancelDrag()
     return presenter_ && input_->cancel();
 }
 
+bool Viewport::isDragging() const
+{
+    return input_->isDragging();
+}
+
 PictureSize Viewport::pictureSize() const
 {
     const QSize size = presenter_ ? presenter_->pixelSize() : QSize();

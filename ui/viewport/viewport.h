@@ -58,8 +58,10 @@ public:
     // one looks against `outward`; a zero vector: not at all.
     void zoomTo(const Vec3& point, double units, const Vec3& outward);
 
-    // Takes a running drag back; false where none ran.
+    // Takes a running drag back, or stops turning the view; false where neither ran.
     bool cancelDrag();
+    // Whether the hand is changing the model: what else would change it waits.
+    [[nodiscard]] bool isDragging() const;
 
     // Draws at once what would be drawn soon.
     void drawNow();
