@@ -22,6 +22,9 @@ void addSampleCommand(CLI::App& app, int& exitCode);
 void addEvaluateCommand(CLI::App& app, int& exitCode);
 void addMeasureCommand(CLI::App& app, int& exitCode);
 
+// Not in the help: the program starts itself with it, to read files that may crash or hang their reader.
+void addImportWorkerCommand(CLI::App& app);
+
 // `knotspan [FILE...]`, also by the name `window`. Runs where no other command did.
 void addWindowCommand(CLI::App& app, int& exitCode, int& argc, char** argv);
 

@@ -5,6 +5,7 @@
 
 #include "app/arguments.h"
 #include "app/commands.h"
+#include "app/mesh_output.h"
 #include "app/output.h"
 
 namespace knotspan::app {
@@ -26,6 +27,22 @@ struct Job {
     fs::path output;
 };
 
+MeshOptions meshOptions(const Options& options)
+{
+    MeshOptions mesh{options.deviation, {}};
+    if (options.angle > 0)
+        mesh.angleDegrees = options.angle;
+    return mesh;
+}
+
+void checkTarget(const std::string& option, const fs::path& path, const Options& options)
+{
+    if (!meshKindOf(path, meshOptions(options)))
+        checkWritable(option, path);
+    else if (options.verify)
+        throw CLI::ValidationError("--verify", "compares surfaces; a mesh's deviation is always measured");
+}
+
 std::vector<Job> jobsOf(const Options& options)
 {
     if (options.to.empty() != options.folder.empty())
@@ -33,7 +50,7 @@ std::vector<Job> jobsOf(const Options& options)
     if (options.to.empty()) {
         if (options.files.size() != 2)
             throw CLI::ValidationError("convert", "needs one file to read and one to write, or --to and -d");
-        checkWritable("OUT", options.files[1]);
+        checkTarget("OUT", options.files[1], options);
         return {{options.files[0], options.files[1]}};
     }
     const std::string extension = options.to.front() == '.' ? options.to : "." + options.to;
@@ -45,7 +62,7 @@ std::vector<Job> jobsOf(const Options& options)
             throw CLI::ValidationError("convert", "two of the files would both become " + output.string());
         jobs.push_back({file, output});
     }
-    checkWritable("--to", "model" + extension);
+    checkTarget("--to", "model" + extension, options);
     return jobs;
 }
 
@@ -72,12 +89,14 @@ Result<void> writeVerified(const Scene& scene, const fs::path& output)
     return tl::unexpected(result.error().at(output.string()));
 }
 
-Result<void> convert(const Job& job, bool verify)
+Result<void> convert(const Job& job, const Options& options)
 {
     const auto scene = readModel(job.input);
     if (!scene)
         return tl::unexpected(scene.error());
-    return verify ? writeVerified(*scene, job.output) : formats::write(*scene, job.output);
+    if (const auto kind = meshKindOf(job.output, meshOptions(options)))
+        return writeMeshOf(*scene, job.output, *kind, meshOptions(options));
+    return options.verify ? writeVerified(*scene, job.output) : formats::write(*scene, job.output);
 }
 
 int run(const Options& options)
@@ -90,7 +109,7 @@ int run(const Options& options)
     }
     int exitCode = kDone;
     for (const Job& job : jobs)
-        if (const auto done = convert(job, options.verify); !done)
+        if (const auto done = convert(job, options); !done)
             exitCode = failed(done.error());
     return exitCode;
 }

@@ -85,6 +85,30 @@ Json describe(const Scene& scene)
             {"bytes_bezier", bytes.bezier}};
 }
 
+// What the import made of the file's faces; nothing to say of formats that hold what Knotspan has.
+Json describe(const formats::ImportReport& report)
+{
+    Json refusals = Json::array();
+    for (const formats::RefusedFace& face : report.refusals)
+        refusals.push_back({{"name", face.name}, {"reason", face.reason}});
+    return {{"faces", report.faces},
+            {"exact", report.exact},
+            {"approximated", report.approximated},
+            {"approximation_error", report.approximationError},
+            {"refused", report.refused},
+            {"refusals", refusals},
+            {"untrimmed", report.untrimmed},
+            {"file_units", report.fileUnits}};
+}
+
+void printForPeople(const formats::ImportReport& report)
+{
+    if (report.faces > 0)
+        std::cout << "of " << report.faces << " faces: " << report.exact << " exact, " << report.approximated
+                  << " approximated, " << report.refused << " left out, " << report.untrimmed
+                  << " without their trim curves\n";
+}
+
 void printForPeople(const Scene& scene)
 {
     const Box box = boundsOf(scene);
@@ -113,13 +137,18 @@ void printForPeople(const Scene& scene)
 
 int run(const Options& options)
 {
-    const auto scene = readModel(options.file);
-    if (!scene)
-        return failed(scene.error());
-    if (options.json)
-        std::cout << describe(*scene).dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
-    else
-        printForPeople(*scene);
+    const auto import = readImport(options.file);
+    if (!import)
+        return failed(import.error());
+    if (options.json) {
+        Json json = describe(import->scene);
+        if (import->report.faces > 0)
+            json["import"] = describe(import->report);
+        std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+        return kDone;
+    }
+    printForPeople(import->scene);
+    printForPeople(import->report);
     return kDone;
 }
 

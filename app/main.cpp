@@ -5,10 +5,12 @@
 
 #include "app/commands.h"
 #include "app/output.h"
+#include "model/formats/isolated_import.h"
 
 namespace {
 
 using namespace knotspan::app;
+namespace formats = knotspan::formats;
 
 // What CLI11 says, as one sentence.
 std::string sentenceOf(const CLI::ParseError& error)
@@ -25,6 +27,7 @@ int run(int& argc, char** argv)
     CLI::App app("Knotspan: shape free-form surfaces and see the exact NURBS.", "knotspan");
     app.set_version_flag("--version", "knotspan " KNOTSPAN_VERSION);
     app.require_subcommand(0, 1);
+    formats::setImportWorker("/proc/self/exe");
     int exitCode = kDone;
     addWindowCommand(app, exitCode, argc, argv);
     addRenderCommand(app, exitCode);
@@ -34,6 +37,7 @@ int run(int& argc, char** argv)
     addSampleCommand(app, exitCode);
     addEvaluateCommand(app, exitCode);
     addMeasureCommand(app, exitCode);
+    addImportWorkerCommand(app);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& asked) {  // --help, --version

@@ -3,6 +3,8 @@
 #include <iostream>
 #include <memory>
 
+#include <unistd.h>
+
 #include <QSaveFile>
 
 #include "app/commands.h"
@@ -16,6 +18,28 @@ tl::unexpected<Error> unwritable(const std::filesystem::path& path, const QSaveF
         Error{"The file cannot be written (" + file.errorString().toStdString() + ")", path.string(),
               "Choose another place"});
 }
+
+// How far a long reading is, on a line that is written over and wiped at the end; only where a person looks.
+class ProgressLine {
+public:
+    ~ProgressLine()
+    {
+        if (isShown_)
+            std::cerr << kWiped;
+    }
+    void operator()(const std::filesystem::path& path, const std::string& stage)
+    {
+        static const bool isSeen = ::isatty(STDERR_FILENO) == 1;
+        if (!isSeen)
+            return;
+        isShown_ = true;
+        std::cerr << kWiped << path.filename().string() << ": " << stage << std::flush;
+    }
+
+private:
+    static constexpr const char* kWiped = "\r\033[K";
+    bool isShown_ = false;
+};
 
 }  // namespace
 
@@ -52,14 +76,22 @@ int failed(const Error& error)
     return kFailed;
 }
 
+Result<formats::Import> readImport(const std::filesystem::path& path)
+{
+    auto import = [&path] {
+        ProgressLine line;
+        const auto show = [&](const std::string& stage, double) { line(path, stage); };
+        return formats::readWithNotes(path, {show, nullptr});
+    }();
+    if (import)
+        for (const std::string& note : import->notes)
+            tell(path.string() + ": " + note);
+    return import;
+}
+
 Result<Scene> readModel(const std::filesystem::path& path)
 {
-    auto import = formats::readWithNotes(path);
-    if (!import)
-        return tl::unexpected(import.error());
-    for (const std::string& note : import->notes)
-        tell(path.string() + ": " + note);
-    return std::move(import->scene);
+    return readImport(path).map([](formats::Import&& import) { return std::move(import.scene); });
 }
 
 }  // namespace knotspan::app

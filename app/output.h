@@ -29,7 +29,8 @@ void tell(const std::string& sentence);
 // Tells the error; returns the exit code for it.
 [[nodiscard]] int failed(const Error& error);
 
-// formats::read, with its notes told.
+// formats::readWithNotes, with the notes told.
+[[nodiscard]] Result<formats::Import> readImport(const std::filesystem::path& path);
 [[nodiscard]] Result<Scene> readModel(const std::filesystem::path& path);
 
 }  // namespace knotspan::app

@@ -10,7 +10,7 @@ packages_to_build=(
     nlohmann-json3-dev libcli11-dev libexpected-dev
 )
 packages_to_run=(qt6-qpa-plugins qt6-wayland mesa-vulkan-drivers)
-packages_to_test=(libgtest-dev libbenchmark-dev libboost-dev vulkan-validationlayers spirv-tools xvfb xauth)
+packages_to_test=(libgtest-dev libbenchmark-dev libboost-dev libopenmesh-dev vulkan-validationlayers spirv-tools xvfb xauth)
 
 say() { printf '%s\n' "$*" >&2; }
 

@@ -1,12 +1,12 @@
 #include "ui/document_files.h"
 
-#include <algorithm>
-
 #include <QFileInfo>
 #include <QGuiApplication>
 
 #include "model/samples/sample_list.h"
 #include "ui/message_bar.h"
+#include "ui/reading_line.h"
+#include "ui/reading_thread.h"
 #include "ui/recent_files.h"
 
 namespace knotspan {
@@ -30,21 +30,20 @@ std::vector<fs::path> pathsOf(const QStringList& names)
     return paths;
 }
 
-std::ptrdiff_t trimmedFaces(const Scene& scene)
-{
-    return std::count_if(scene.objects().begin(), scene.objects().end(),
-                         [](const auto& entry) { return !entry.second->trimLoops.empty(); });
-}
-
 }  // namespace
 
-DocumentFiles::DocumentFiles(QWidget& window, Document& document, MessageBar& messages, Questions questions)
+DocumentFiles::DocumentFiles(QWidget& window, Document& document, MessageBar& messages, ReadingLine& line,
+                             Questions questions)
     : window_(window),
       document_(document),
       messages_(messages),
+      line_(line),
       questions_(std::move(questions))
 {
+    QObject::connect(&line_, &ReadingLine::cancelled, &line_, [this] { cancelReading(); });
 }
+
+DocumentFiles::~DocumentFiles() = default;
 
 bool DocumentFiles::mayDrop()
 {
@@ -63,46 +62,16 @@ bool DocumentFiles::mayDrop()
 
 void DocumentFiles::open(const std::vector<fs::path>& files)
 {
-    if (files.empty() || !mayDrop())
+    if (files.empty() || isRefusedWhileReading() || !mayDrop())
         return;
     messages_.dismiss();
-    if (openOne(files.front()))
-        add({files.begin() + 1, files.end()}, 0);
-}
-
-bool DocumentFiles::openOne(const fs::path& path)
-{
-    const Busy busy;
-    if (const Result<void> opened = document_.open(path); !opened) {
-        recentFiles::forget(QString::fromStdString(path.string()));
-        report(opened.error());
-        return false;
-    }
-    recentFiles::remember(path);
-    return true;
-}
-
-void DocumentFiles::add(const std::vector<fs::path>& files, std::ptrdiff_t trimmedBefore)
-{
-    const Busy busy;
-    QStringList wrong;  // said at the end: a file that works would clear the message
-    for (const fs::path& path : files)
-        if (const Result<void> added = document_.add(path); !added)
-            wrong << QString::fromStdString(added.error().sentence());
-    QStringList lines = wrong;
-    if (trimmedFaces(document_.scene()) > trimmedBefore)
-        lines << tr("Trimmed faces are shown whole: this version keeps their trim loops but does not draw "
-                    "them yet.");
-    if (!wrong.isEmpty())
-        messages_.say(lines.join('\n'));
-    else if (!lines.isEmpty())
-        messages_.note(lines.join('\n'));
+    start({files, true, 0, 0, document_.scene(), {}, {}});
 }
 
 void DocumentFiles::openSample(const std::string& name)
 {
     const Sample* sample = findSample(name);
-    if (sample == nullptr || !mayDrop())
+    if (sample == nullptr || isRefusedWhileReading() || !mayDrop())
         return;
     messages_.dismiss();
     const Busy busy;
@@ -111,16 +80,20 @@ void DocumentFiles::openSample(const std::string& name)
 
 void DocumentFiles::askAndOpen()
 {
+    if (isRefusedWhileReading())
+        return;
     open(pathsOf(questions_.filesToOpen(&window_, tr("Open a model"), readFilters())));
 }
 
 void DocumentFiles::askAndAdd()
 {
+    if (isRefusedWhileReading())
+        return;
     const auto files = pathsOf(questions_.filesToOpen(&window_, tr("Add to this model"), readFilters()));
     if (files.empty())
         return;
     messages_.dismiss();
-    add(files, trimmedFaces(document_.scene()));
+    start({files, false, 0, trimmedFaces(), document_.scene(), {}, {}});
 }
 
 bool DocumentFiles::save()

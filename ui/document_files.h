@@ -1,29 +1,38 @@
 // Files in and out of the open document: asks which, asks before changes are lost, and says in the message
-// bar what fails.
+// bar what fails. Files that are read apart (formats::isReadApart) are read beside the window, one at a time:
+// the calls return at once then, and the model is taken over when it is there.
 #pragma once
 
 #include <filesystem>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <QCoreApplication>
+#include <QStringList>
 
 #include "model/document/document.h"
+#include "model/formats/format.h"
 #include "ui/questions.h"
 
 namespace knotspan {
 
 class MessageBar;
+class ReadingLine;
+class ReadingThread;
 
 class DocumentFiles {
     Q_DECLARE_TR_FUNCTIONS(knotspan::DocumentFiles)
 
 public:
     // All outlive it; dialogs stand before `window`.
-    DocumentFiles(QWidget& window, Document& document, MessageBar& messages, Questions questions);
+    DocumentFiles(QWidget& window, Document& document, MessageBar& messages, ReadingLine& line,
+                  Questions questions);
+    ~DocumentFiles();
 
     // Opens the first, adds the others; asks first where changes would be lost. What fails is said in the
-    // message bar, the open document stays.
+    // message bar, the open document stays. Refused while another is being read.
     void open(const std::vector<std::filesystem::path>& files);
     void openSample(const std::string& name);
     void askAndOpen();
@@ -33,16 +42,42 @@ public:
     // Asks where changes would be lost; false: the document must stay.
     [[nodiscard]] bool mayDrop();
 
+    [[nodiscard]] bool isReading() const { return thread_ != nullptr; }
+    // Stops reading, says so, and leaves the document as it is.
+    void cancelReading();
+    // Stops it without a word: nobody waits for it any more.
+    void dropReading();
+
 private:
-    bool openOne(const std::filesystem::path& path);
-    // `trimmedBefore`: how many trimmed faces the user knows of.
-    void add(const std::vector<std::filesystem::path>& files, std::ptrdiff_t trimmedBefore);
+    // The files of one call, read one after the other.
+    struct Job {
+        std::vector<std::filesystem::path> files;
+        bool opens = false;  // the first replaces the document
+        size_t next = 0;
+        std::ptrdiff_t trimmedBefore = 0;  // how many trimmed faces the user knows of
+        Scene sceneBefore;                 // whose loss was agreed to
+        QStringList wrong;
+        QStringList notes;
+    };
+
+    [[nodiscard]] bool isRefusedWhileReading();
+    void start(Job job);
+    void goOn();
+    void readApart(const std::filesystem::path& path);
+    void takeFromThread();
+    void take(const std::filesystem::path& path, Result<formats::Import> import);
+    [[nodiscard]] bool takeFirst(const std::filesystem::path& path, Result<formats::Import>& import);
+    void finish();
+    [[nodiscard]] std::ptrdiff_t trimmedFaces() const;
     void report(const Error& error);
 
     QWidget& window_;
     Document& document_;
     MessageBar& messages_;
+    ReadingLine& line_;
     Questions questions_;
+    std::optional<Job> job_;
+    std::unique_ptr<ReadingThread> thread_;
 };
 
 }  // namespace knotspan

@@ -37,7 +37,7 @@ MainWindow::MainWindow(Questions questions)
     setObjectName("main-window");
     setAcceptDrops(true);
     makeCentre();
-    files_ = std::make_unique<DocumentFiles>(*this, document_, *messages_, std::move(questions));
+    files_ = std::make_unique<DocumentFiles>(*this, document_, *messages_, *readingLine_, std::move(questions));
     makeActions();
     makePanels();
     makeToolBar();
@@ -66,6 +66,7 @@ MainWindow::MainWindow(Questions questions)
 
 MainWindow::~MainWindow()
 {
+    files_->dropReading();
     // What listens to the document goes before it; hidden first, so that nothing hears of a mouse that
     // leaves.
     hide();
@@ -111,6 +112,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
         event->ignore();
         return;
     }
+    files_->dropReading();
     QSettings settings;
     settings.setValue("geometry", saveGeometry());
     settings.setValue("layout", saveState());

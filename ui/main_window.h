@@ -22,6 +22,7 @@ namespace knotspan {
 
 class DocumentFiles;
 class MessageBar;
+class ReadingLine;
 
 class MainWindow : public QMainWindow {
     Q_OBJECT
@@ -67,6 +68,7 @@ private:
     std::map<std::string, QAction*, std::less<>> actions_;
     Viewport* viewport_ = nullptr;
     MessageBar* messages_ = nullptr;
+    ReadingLine* readingLine_ = nullptr;
     std::unique_ptr<DocumentFiles> files_;
     QLabel* frameLine_ = nullptr;
     QToolBar* toolBar_ = nullptr;

@@ -15,6 +15,7 @@
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
 #include "ui/panel_list.h"
+#include "ui/reading_line.h"
 #include "ui/tool_settings_store.h"
 #include "ui/tools/tool_list.h"
 
@@ -35,11 +36,13 @@ void MainWindow::makeCentre()
 {
     auto* centre = new QWidget(this);
     messages_ = new MessageBar(centre);
+    readingLine_ = new ReadingLine(centre);
     viewport_ = new Viewport(document_, selection_, centre);
     auto* column = new QVBoxLayout(centre);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(messages_);
+    column->addWidget(readingLine_);
     column->addWidget(viewport_, 1);
     setCentralWidget(centre);
     viewport_->setFriends(shownFriends_);

@@ -1,56 +1,11 @@
 #include <GeomAdaptor_Surface.hxx>
-#include <Geom_BSplineSurface.hxx>
-#include <TColStd_Array1OfInteger.hxx>
-#include <TColStd_Array1OfReal.hxx>
-#include <TColStd_Array2OfReal.hxx>
-#include <TColgp_Array2OfPnt.hxx>
 
 #include "benchmarks/evaluation/cases.h"
+#include "benchmarks/evaluation/occt_surface.h"
 
 namespace knotspan::benchmarks {
 
 namespace {
-
-struct Knots {
-    TColStd_Array1OfReal values;
-    TColStd_Array1OfInteger multiplicities;
-};
-
-Knots knotsOf(const KnotVector& knots)
-{
-    std::vector<double> values;
-    std::vector<int> multiplicities;
-    for (const double knot : knots.values())
-        if (!values.empty() && values.back() == knot)
-            ++multiplicities.back();
-        else {
-            values.push_back(knot);
-            multiplicities.push_back(1);
-        }
-    const int count = static_cast<int>(values.size());
-    Knots result{TColStd_Array1OfReal(1, count), TColStd_Array1OfInteger(1, count)};
-    for (int k = 0; k < count; ++k) {
-        result.values.SetValue(k + 1, values[static_cast<size_t>(k)]);
-        result.multiplicities.SetValue(k + 1, multiplicities[static_cast<size_t>(k)]);
-    }
-    return result;
-}
-
-Handle(Geom_BSplineSurface) surfaceOf(const NurbsSurface& surface)
-{
-    TColgp_Array2OfPnt poles(1, surface.countU(), 1, surface.countV());
-    TColStd_Array2OfReal weights(1, surface.countU(), 1, surface.countV());
-    for (int i = 0; i < surface.countU(); ++i)
-        for (int j = 0; j < surface.countV(); ++j) {
-            const ControlPoint& point = surface.controlPoint(i, j);
-            poles.SetValue(i + 1, j + 1, {point.position.x, point.position.y, point.position.z});
-            weights.SetValue(i + 1, j + 1, point.weight);
-        }
-    const Knots u = knotsOf(surface.knotsU());
-    const Knots v = knotsOf(surface.knotsV());
-    return new Geom_BSplineSurface(poles, weights, u.values, v.values, u.multiplicities, v.multiplicities,
-                                   surface.degreeU(), surface.degreeV());
-}
 
 // Position and both tangents of every point of the grid, kept as SISL keeps them.
 template <class Surface>
@@ -78,7 +33,7 @@ void addSurface(const std::string& who, const Case& what, bool adapted)
         std::vector<Handle(Geom_BSplineSurface)> surfaces;
         std::vector<GeomAdaptor_Surface> adaptors;
         for (const NurbsSurface& surface : what.surfaces) {
-            surfaces.push_back(surfaceOf(surface));
+            surfaces.push_back(occtSurface(surface));
             adaptors.emplace_back(surfaces.back());
         }
         std::vector<double> results(what.parameters.size() * what.parameters.size() * 9);

@@ -58,11 +58,16 @@ Result<void> Document::open(const fs::path& path)
     Result<Scene> scene = formats::read(path);
     if (!scene)
         return tl::unexpected(scene.error());
+    open(path, std::move(*scene));
+    return {};
+}
+
+void Document::open(const fs::path& path, Scene content)
+{
     const formats::Format* format = formats::find(path);
     const bool writable = format != nullptr && format->write != nullptr;
-    replace(std::move(*scene), writable ? fs::absolute(path) : fs::path(), fileTitle(path),
+    replace(std::move(content), writable ? fs::absolute(path) : fs::path(), fileTitle(path),
             format != nullptr && format->name != "Knotspan");
-    return {};
 }
 
 Result<void> Document::add(const fs::path& path)
@@ -70,17 +75,22 @@ Result<void> Document::add(const fs::path& path)
     const Result<Scene> added = formats::read(path);
     if (!added)
         return tl::unexpected(added.error());
+    return add(path, *added);
+}
+
+Result<void> Document::add(const fs::path& path, const Scene& content)
+{
     double scale = 1;
-    if (added->units() != scene_.units()) {
-        scale = millimetres(added->units()) / millimetres(scene_.units());
+    if (content.units() != scene_.units()) {
+        scale = millimetres(content.units()) / millimetres(scene_.units());
         if (!(scale > 0 && std::isfinite(scale)))
-            return tl::unexpected(Error{"The file is in \"" + added->units() + "\", the open model in \"" +
+            return tl::unexpected(Error{"The file is in \"" + content.units() + "\", the open model in \"" +
                                             scene_.units() + "\", which cannot be converted",
                                         path.string(), "Open it by itself"});
     }
     Scene numbered = scene_;  // hands out the ids
     Edit edit;
-    for (const auto& [unused, object] : added->objects()) {
+    for (const auto& [unused, object] : content.objects()) {
         auto placed = std::make_shared<SceneObject>(*object);
         placed->transform = glm::scale(Mat4(1.0), Vec3(scale)) * placed->transform;
         const ObjectId id = numbered.add(*placed);

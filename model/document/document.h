@@ -50,6 +50,9 @@ public:
     // Adds the file's objects to the scene, as one step, scaled to the scene's units. On failure nothing
     // changes.
     [[nodiscard]] Result<void> add(const std::filesystem::path& path);
+    // The same with the file's content read already, as on another thread.
+    void open(const std::filesystem::path& path, Scene content);
+    [[nodiscard]] Result<void> add(const std::filesystem::path& path, const Scene& content);
     // Replaces everything by a scene that belongs to no file.
     void reset(Scene scene, const QString& title);
 

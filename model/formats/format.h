@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "model/formats/import_report.h"
 #include "model/scene/scene.h"
 
 namespace knotspan::formats {
@@ -14,6 +15,7 @@ namespace knotspan::formats {
 struct Import {
     Scene scene;
     std::vector<std::string> notes;
+    ImportReport report;
 };
 
 struct Format {
@@ -23,6 +25,9 @@ struct Format {
     // do.
     Result<Import> (*read)(const std::filesystem::path&) = nullptr;
     Result<void> (*write)(const Scene&, const std::filesystem::path&) = nullptr;
+    // For formats whose library may crash, hang or swallow the memory: read() with progress, to be called in
+    // a process of its own (isolated_import.h). Null: read() is safe in this one.
+    Result<Import> (*readIsolated)(const std::filesystem::path&, const ImportProgress&) = nullptr;
 };
 
 }  // namespace knotspan::formats

@@ -4,8 +4,12 @@
 #include <cctype>
 #include <new>
 
+#include "model/formats/bpt_format.h"
+#include "model/formats/brep_format.h"
 #include "model/formats/file_replacement.h"
+#include "model/formats/iges_format.h"
 #include "model/formats/knotspan_format.h"
+#include "model/formats/obj_format.h"
 #include "model/formats/step_format.h"
 
 namespace knotspan::formats {
@@ -73,7 +77,7 @@ Result<void> requireReadable(const fs::path& path)
     return {};
 }
 
-Result<Import> readUnnamed(const fs::path& path)
+Result<Import> readUnnamed(const fs::path& path, const ImportWatch& watch)
 {
     if (auto readable = requireReadable(path); !readable)
         return tl::unexpected(readable.error());
@@ -81,6 +85,8 @@ Result<Import> readUnnamed(const fs::path& path)
     if (!format)
         return tl::unexpected(format.error());
     try {
+        if (isReadApart(path))
+            return importIsolated(path, watch, limitsFor(path));
         return (*format)->read(path);
     } catch (const std::bad_alloc&) {
         return failure("The model needs more memory than there is",
@@ -103,6 +109,10 @@ const std::vector<Format>& all()
     static const std::vector<Format> list{
         knotspanFormat(),
         stepFormat(),
+        igesFormat(),
+        brepFormat(),
+        objFormat(),
+        bptFormat(),
     };
     return list;
 }
@@ -122,9 +132,15 @@ Result<Scene> read(const fs::path& path)
     return readWithNotes(path).map([](Import&& import) { return std::move(import.scene); });
 }
 
-Result<Import> readWithNotes(const fs::path& path)
+Result<Import> readWithNotes(const fs::path& path, const ImportWatch& watch)
 {
-    return readUnnamed(path).map_error([&](const Error& error) { return error.at(path.string()); });
+    return readUnnamed(path, watch).map_error([&](const Error& error) { return error.at(path.string()); });
+}
+
+bool isReadApart(const fs::path& path)
+{
+    const Format* format = find(path);
+    return format != nullptr && format->readIsolated != nullptr && !importWorker().empty();
 }
 
 Result<void> write(const Scene& scene, const fs::path& path)

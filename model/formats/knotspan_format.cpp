@@ -3,31 +3,23 @@
 #include <fstream>
 
 #include "model/formats/knotspan_json.h"
+#include "model/formats/text_file.h"
 
 namespace knotspan::formats {
 
 namespace {
 
-constexpr std::uintmax_t kLargestFile = 512u << 20;
+constexpr unsigned kMostMebibytes = 512;
 
 Result<Import> readKnotspan(const std::filesystem::path& path)
 {
-    std::error_code error;
-    const std::uintmax_t size = std::filesystem::file_size(path, error);
-    if (error)
-        return failure("The file's size cannot be told: " + error.message());
-    if (size > kLargestFile)
-        return failure("The file is larger than the 512 MiB that a .knotspan file may have",
-                       "Split the model into several files");
-    std::string text(static_cast<size_t>(size), '\0');
-    std::ifstream file(path, std::ios::binary);
-    file.read(text.data(), static_cast<std::streamsize>(size));
-    if (!file)
-        return failure("The file cannot be read to its end");
-    auto json = parsedJson(text);
+    auto text = wholeText(path, kMostMebibytes, "knotspan");
+    if (!text)
+        return tl::unexpected(text.error());
+    auto json = parsedJson(*text);
     if (!json)
         return tl::unexpected(json.error());
-    text = {};
+    *text = {};
     return sceneFromJson(*json).map([](Scene&& scene) { return Import{std::move(scene), {}}; });
 }
 

@@ -190,10 +190,11 @@ Result<ConvertedSurface> convert(const Handle(Geom_Surface) & surface, const Par
 double largestDifference(const Handle(Geom_Surface) & surface, const ConvertedSurface& converted)
 {
     double largest = 0;
-    for (int i = 0; i <= 6; ++i) {
-        for (int j = 0; j <= 6; ++j) {
-            const double u = converted.u.start + (converted.u.end - converted.u.start) * i / 6.0;
-            const double v = converted.v.start + (converted.v.end - converted.v.start) * j / 6.0;
+    const int steps = converted.approximated ? 24 : 6;
+    for (int i = 0; i <= steps; ++i) {
+        for (int j = 0; j <= steps; ++j) {
+            const double u = converted.u.start + (converted.u.end - converted.u.start) * i / steps;
+            const double v = converted.v.start + (converted.v.end - converted.v.start) * j / steps;
             const gp_Pnt theirs = surface->Value(u, v);
             const Vec3 ours = evaluate(converted.surface, converted.u(u), converted.v(v)).position;
             largest = std::max(largest, glm::length(ours - Vec3(theirs.X(), theirs.Y(), theirs.Z())));
@@ -267,7 +268,8 @@ Result<ConvertedSurface> toNurbs(const Handle(Geom_Surface) & surface, const Par
     const double size = converted->surface.bounds().diagonal();
     const double allowed = converted->approximated ? 2 * tolerance : 1e-7 * size;
     converted->original = surface;
-    converted->mapsHold = largestDifference(surface, *converted) <= allowed;
+    converted->difference = largestDifference(surface, *converted);
+    converted->mapsHold = converted->difference <= allowed;
     return converted;
 }
 

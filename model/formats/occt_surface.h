@@ -35,6 +35,7 @@ struct ConvertedSurface {
     ParameterMap v;
     Handle(Geom_Surface) original;  // whose parameters u and v take; for planes not always the face's own
     bool approximated = false;      // to the tolerance, instead of exactly
+    double difference = 0;          // the largest distance measured between `surface` and `original`
     bool mapsHold = true;           // whether u and v really tell where a parameter went: checked by points
 };
 

@@ -110,7 +110,7 @@ std::string libraryRefusal(const FolderRule& rule, const std::string& included)
         return "knows of no files";
     }
     if (startsWith(included, "CLI/") && rule.folder != "app" && rule.folder != "benchmarks/frames" &&
-        rule.folder != "benchmarks/dragging") {
+        rule.folder != "benchmarks/dragging" && rule.folder != "benchmarks/meshing") {
         return "reads no command line";
     }
     if (startsWith(included, "hwy/") && rule.folder != "model/geometry" &&
@@ -188,7 +188,7 @@ std::vector<FolderRule> makeRules()
         {.folder = "model/scene", .mayInclude = values},
         {.folder = "model/sculpting", .mayInclude = values + Folders{"model/scene"}},
         {.folder = "model/samples", .mayInclude = values + Folders{"model/scene"}},
-        {.folder = "model/mesh", .mayInclude = scene, .meshLibraries = true},
+        {.folder = "model/mesh", .mayInclude = scene},
         {.folder = "model/formats",
          .mayInclude = scene + Folders{"model/mesh"},
          .disk = Disk::yes,
@@ -225,6 +225,9 @@ std::vector<FolderRule> makeRules()
         // The peers that it measures beside ours.
         {.folder = "benchmarks/evaluation",
          .mayInclude = values + Folders{"benchmarks/evaluation"},
+         .openCascade = true},
+        {.folder = "benchmarks/meshing",
+         .mayInclude = scene + Folders{"model/mesh", "model/samples", "benchmarks/evaluation"},
          .openCascade = true},
         // Above the renderer, by its front; a program of its own.
         {.folder = "benchmarks/frames",

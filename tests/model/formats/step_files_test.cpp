@@ -88,7 +88,11 @@ TEST(StepFiles, EveryRealFileGivesTheFacesOfItsManifestOrIsRefusedWithASentence)
         EXPECT_EQ(scene.objects().size(), expected.faces);
         const auto other = ours.find(name);
         EXPECT_EQ(scene.ksQuadCount(), other == ours.end() ? expected.ksQuads : other->second);
-        EXPECT_EQ(::testing::PrintToString((*import)->notes), "{}");
+        EXPECT_EQ((*import)->report.exact, (*import)->report.faces);
+        EXPECT_EQ((*import)->report.untrimmed, 0);
+        // Beside its unit there is nothing to say.
+        EXPECT_EQ((*import)->notes.size(), (*import)->report.fileUnits == "mm" ? 0U : 1U)
+            << ::testing::PrintToString((*import)->notes);
     }
 }
 

@@ -10,13 +10,18 @@
 
 namespace knotspan::testing {
 
-formats::Import throughStep(const TopoDS_Shape& shape)
+void writeStep(const TopoDS_Shape& shape, const std::filesystem::path& path)
 {
-    const TemporaryFolder folder;
     Message::DefaultMessenger()->ChangePrinters().Clear();
     STEPControl_Writer writer;
     EXPECT_EQ(writer.Transfer(shape, STEPControl_AsIs), IFSelect_RetDone);
-    EXPECT_EQ(writer.Write((folder / "solid.step").c_str()), IFSelect_RetDone);
+    EXPECT_EQ(writer.Write(path.c_str()), IFSelect_RetDone);
+}
+
+formats::Import throughStep(const TopoDS_Shape& shape)
+{
+    const TemporaryFolder folder;
+    writeStep(shape, folder / "solid.step");
     auto import = formats::readStep(folder / "solid.step");
     EXPECT_TRUE(import.has_value()) << (import ? "" : import.error().sentence());
     return import ? std::move(*import) : formats::Import{};

@@ -7,6 +7,8 @@
 
 namespace knotspan::testing {
 
+void writeStep(const TopoDS_Shape& shape, const std::filesystem::path& path);
+
 // Writes the shape to a STEP file and reads it back through our reader; expects that this works.
 [[nodiscard]] formats::Import throughStep(const TopoDS_Shape& shape);
 

@@ -256,4 +256,7 @@ TEST(StepSolids, AnOffsetSurfaceIsApproximatedAndSaidSo)
     }
     ASSERT_EQ(import.notes.size(), 1U);
     EXPECT_NE(import.notes[0].find("approximated"), std::string::npos);
+    EXPECT_EQ(import.report.approximated, 1);
+    EXPECT_GT(import.report.approximationError, 0);
+    EXPECT_LT(import.report.approximationError, 2e-4 * size);
 }

@@ -1,0 +1,24 @@
+// How many cells each KSQuad of placed surfaces needs on its own, before neighbours are heard.
+#pragma once
+
+#include <optional>
+
+#include "model/analysis/border_curves.h"
+#include "model/analysis/screen_error.h"
+
+namespace knotspan {
+
+struct CellCounts {
+    // By KSQuad, as BorderNumbers counts them.
+    std::vector<Grid> grids;
+    std::vector<double> bounds;         // of triangles no larger than those cells, in model units
+    std::vector<char> rising;           // cells are better cut from (0, 0) to (1, 1)
+    std::vector<std::uint32_t> failed;  // KSQuads that would need more than kLargestFactor cells along a side
+};
+
+// Within `deviation` > 0 of the surface; with an angle normals turn no more than about so far across a cell,
+// which is sampled, not proved.
+[[nodiscard]] CellCounts cellCounts(const std::vector<PlacedSurface>& surfaces, double deviation,
+                                    std::optional<double> angleDegrees);
+
+}  // namespace knotspan

@@ -1,0 +1,53 @@
+// A scene as one mesh of triangles, provably near its surfaces and welded along all edges they share.
+//
+// Each KSQuad gets its own grid, the fewest cells for which the bound of maths (space_error.h) holds; along
+// an edge everyone uses the vertices of whoever asks for the most, so there are neither cracks nor
+// T-vertices, poles are one vertex, and what is closed becomes a closed manifold.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "model/core/result.h"
+#include "model/geometry/ksquad.h"
+#include "model/mesh/quad_triangles.h"
+#include "model/mesh/triangle_mesh.h"
+#include "model/scene/scene.h"
+
+namespace knotspan {
+
+struct TessellationOptions {
+    double deviation = 0;  // model units, above zero
+    // How far a triangle's normal may be from the surface's, about: sampled, not proved.
+    std::optional<double> angleDegrees;
+    bool hiddenToo = false;
+    size_t mostTriangles = 20'000'000;
+};
+
+// The triangles of a KSQuad, up to the next patch's first.
+struct MeshPatch {
+    ObjectId object{};
+    KsQuad quad;
+    size_t firstTriangle = 0;
+};
+
+struct Tessellation {
+    TriangleMesh mesh;
+    std::vector<TriangleParameters> parameters;  // by triangle
+    std::vector<MeshPatch> patches;
+    // No point of a surface is further from the mesh, none of the mesh further from a surface: proved.
+    double bound = 0;
+    std::vector<std::string> notes;  // sentences for the user
+
+    [[nodiscard]] size_t endOf(size_t patch) const
+    {
+        return patch + 1 < patches.size() ? patches[patch + 1].firstTriangle : mesh.triangles.size();
+    }
+};
+
+// Fronts look where S_u x S_v points, mirrored objects' and those of bodies that are inside out turned over.
+// Trimmed faces are meshed whole, and a note says so. Refuses scenes without a (visible) object, and
+// deviations that would take more than `mostTriangles`.
+[[nodiscard]] Result<Tessellation> tessellate(const Scene& scene, const TessellationOptions& options);
+
+}  // namespace knotspan
