@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "ui/tools/edit_checks.h"
+#include "ui/tools/steadiness.h"
 
 namespace knotspan {
 
@@ -16,8 +17,6 @@ constexpr double kSpacing = 0.2;
 // Of a whole strength: what one of many dabs does.
 constexpr double kInflatePerDab = 0.1;
 constexpr double kSmoothPerDab = 0.5;
-// A hand that only clicks trembles less than this.
-constexpr double kStillPx = 3;
 
 QString stepOf(BrushKind kind)
 {

@@ -3,14 +3,11 @@
 #include <glm/geometric.hpp>
 
 #include "ui/tools/edit_checks.h"
+#include "ui/tools/steadiness.h"
 
 namespace knotspan {
 
 namespace {
-
-// A hand that only clicks trembles less than this.
-constexpr double kStillPx = 3;
-constexpr double kFine = 0.1;
 
 std::optional<DragAxis> axisOf(int key)
 {

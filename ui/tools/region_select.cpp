@@ -3,12 +3,12 @@
 #include <glm/geometric.hpp>
 
 #include "ui/tools/choosing.h"
+#include "ui/tools/steadiness.h"
 
 namespace knotspan {
 
 namespace {
 
-constexpr double kStillPx = 3;
 constexpr double kLassoStepPx = 2;
 constexpr std::uint32_t kColour = 0xffc861;
 

@@ -5,14 +5,13 @@
 
 #include "model/sculpting/twins.h"
 #include "ui/tools/choosing.h"
+#include "ui/tools/steadiness.h"
 
 namespace knotspan {
 
 namespace {
 
 constexpr double kPixelsPerE = 100;
-constexpr double kFine = 0.1;
-constexpr double kStillPx = 3;  // a hand that only clicks trembles less
 
 double weightOf(const Scene& scene, const ScenePoint& point)
 {
