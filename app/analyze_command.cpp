@@ -59,6 +59,8 @@ void tellWhatIsLeftOut(const Scene& scene, const AnalyzeReport& report)
         tell(report.file + ": " +
              areOrIs(count, " crease lies inside a surface", " creases lie inside surfaces") +
              "; only where surfaces meet counts");
+    if (!scene.meshes().empty())
+        tell(report.file + ": meshes have no part in this; only surfaces are looked at");
     if (const size_t count = report.friends.shortEdges().size(); count > 0)
         tell(report.file + ": " + areOrIs(count, " edge is", " edges are") +
              " no longer than three gap tolerances and left out; a smaller --gap would look at them");

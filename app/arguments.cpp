@@ -156,14 +156,14 @@ std::string joined(const std::vector<std::string>& texts, const std::string& sep
     return result;
 }
 
-void checkWritable(const std::string& option, const std::filesystem::path& path)
+void checkWritable(const std::string& option, const std::filesystem::path& path, const std::string& also)
 {
     const formats::Format* format = formats::find(path);
     if (format != nullptr && format->write != nullptr)
         return;
     throw CLI::ValidationError(option, "'" + path.string() +
                                            "' has no format that can be written; known are " +
-                                           joined(writableExtensions(), ", "));
+                                           joined(writableExtensions(), ", ") + also);
 }
 
 }  // namespace knotspan::app

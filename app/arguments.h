@@ -42,7 +42,8 @@ struct PixelSize {
                              const std::vector<std::string>& names);
 
 // A file to be written must have the extension of a format that can be.
-void checkWritable(const std::string& option, const std::filesystem::path& path);
+void checkWritable(const std::string& option, const std::filesystem::path& path,
+                   const std::string& also = {});
 
 // A file to be written must end in `extension` (".png") and must not be the model that is read.
 void checkOutput(const std::string& option, const std::string& path, const std::string& extension,

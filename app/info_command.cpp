@@ -1,3 +1,5 @@
+#include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <iostream>
 #include <memory>
@@ -41,13 +43,17 @@ Bytes bytesOf(const Scene& scene)
     return bytes;
 }
 
-// Of the visible surfaces themselves, not of their control points.
+// Of the visible surfaces themselves, not of their control points, and of the meshes.
 Box boundsOf(const Scene& scene)
 {
     Box box;
     for (const auto& [id, object] : scene.objects())
         if (object->visible)
             box.add(surfaceBounds(object->surface, object->transform));
+    for (const auto& [id, object] : scene.meshes())
+        if (object->visible)
+            for (const Vec3& vertex : object->mesh->vertices)
+                box.add(transformed(vertex, object->transform));
     return box;
 }
 
@@ -67,6 +73,18 @@ Json describe(const SceneObject& object, size_t id)
             {"ksquads", ksQuadCount(surface)}};
 }
 
+Json describe(const MeshObject& object, size_t id)
+{
+    const MeshTopology topology = topologyOf(*object.mesh);
+    return {{"id", id},
+            {"name", object.name},
+            {"vertices", object.mesh->vertices.size()},
+            {"triangles", object.mesh->triangles.size()},
+            {"boundary_edges", topology.boundaryEdges},
+            {"non_manifold_edges", topology.nonManifoldEdges},
+            {"closed", topology.isClosedManifold()}};
+}
+
 Json describe(const Scene& scene)
 {
     Json surfaces = Json::array();
@@ -75,8 +93,12 @@ Json describe(const Scene& scene)
     Json bounds;  // null for an empty model
     if (const Box box = boundsOf(scene); !box.isEmpty())
         bounds = {{"low", {box.low.x, box.low.y, box.low.z}}, {"high", {box.high.x, box.high.y, box.high.z}}};
+    Json meshes = Json::array();
+    for (const auto& [id, mesh] : scene.meshes())
+        meshes.push_back(describe(*mesh, meshes.size()));
     const Bytes bytes = bytesOf(scene);
     return {{"surfaces", surfaces},
+            {"meshes", meshes},
             {"ksquads", scene.ksQuadCount()},
             {"control_points", scene.controlPointCount()},
             {"bounds", bounds},
@@ -85,20 +107,28 @@ Json describe(const Scene& scene)
             {"bytes_bezier", bytes.bezier}};
 }
 
+double mebibytes(std::uint64_t bytes)
+{
+    return static_cast<double>(bytes) / (1 << 20);
+}
+
 // What the import made of the file's faces; nothing to say of formats that hold what Knotspan has.
 Json describe(const formats::ImportReport& report)
 {
     Json refusals = Json::array();
     for (const formats::RefusedFace& face : report.refusals)
         refusals.push_back({{"name", face.name}, {"reason", face.reason}});
-    return {{"faces", report.faces},
-            {"exact", report.exact},
-            {"approximated", report.approximated},
-            {"approximation_error", report.approximationError},
-            {"refused", report.refused},
-            {"refusals", refusals},
-            {"untrimmed", report.untrimmed},
-            {"file_units", report.fileUnits}};
+    return {
+        {"faces", report.faces},
+        {"exact", report.exact},
+        {"approximated", report.approximated},
+        {"approximation_error", report.approximationError},
+        {"refused", report.refused},
+        {"refusals", refusals},
+        {"untrimmed", report.untrimmed},
+        {"file_units", report.fileUnits},
+        {"seconds", std::round(report.seconds * 1000) / 1000},
+        {"peak_mb", report.peakBytes > 0 ? Json(std::round(mebibytes(report.peakBytes) * 10) / 10) : Json()}};
 }
 
 void printForPeople(const formats::ImportReport& report)
@@ -107,18 +137,43 @@ void printForPeople(const formats::ImportReport& report)
         std::cout << "of " << report.faces << " faces: " << report.exact << " exact, " << report.approximated
                   << " approximated, " << report.refused << " left out, " << report.untrimmed
                   << " without their trim curves\n";
+    if (report.peakBytes > 0) {
+        char line[80];
+        std::snprintf(line, sizeof line, "read in %.2f s, with %.0f MiB of memory\n", report.seconds,
+                      mebibytes(report.peakBytes));
+        std::cout << line;
+    }
+}
+
+void printMeshes(const Scene& scene)
+{
+    if (!scene.meshes().empty())
+        std::cout << "\n   id   vertices  triangles  boundary edges  non-manifold edges  closed  name\n";
+    size_t number = 0;
+    for (const auto& [id, object] : scene.meshes()) {
+        const MeshTopology topology = topologyOf(*object->mesh);
+        char line[160];
+        std::snprintf(line, sizeof line, "%5zu  %9zu  %9zu  %14zu  %18zu  %-6s  ", number++,
+                      object->mesh->vertices.size(), object->mesh->triangles.size(), topology.boundaryEdges,
+                      topology.nonManifoldEdges, topology.isClosedManifold() ? "yes" : "no");
+        std::cout << line << object->name << '\n';
+    }
 }
 
 void printForPeople(const Scene& scene)
 {
     const Box box = boundsOf(scene);
     const Bytes bytes = bytesOf(scene);
-    std::cout << scene.objects().size() << " surfaces, " << scene.ksQuadCount() << " KSQuads, "
-              << scene.controlPointCount() << " control points\n";
+    if (!scene.objects().empty() || scene.meshes().empty())
+        std::cout << scene.objects().size() << " surfaces, " << scene.ksQuadCount() << " KSQuads, "
+                  << scene.controlPointCount() << " control points\n";
+    if (!scene.meshes().empty())
+        std::cout << scene.meshes().size() << (scene.meshes().size() == 1 ? " mesh\n" : " meshes\n");
     if (!box.isEmpty())
         std::cout << "bounds (" << box.low.x << ", " << box.low.y << ", " << box.low.z << ") to ("
                   << box.high.x << ", " << box.high.y << ", " << box.high.z << ") " << scene.units() << '\n';
-    std::cout << bytes.nurbs << " bytes as NURBS, " << bytes.bezier << " bytes as Bezier patches\n";
+    if (!scene.objects().empty())
+        std::cout << bytes.nurbs << " bytes as NURBS, " << bytes.bezier << " bytes as Bezier patches\n";
     if (!scene.objects().empty())
         std::cout << "\n   id  degree  control points   KSQuads  rational  closed  trimmed  name\n";
     size_t number = 0;
@@ -133,6 +188,7 @@ void printForPeople(const Scene& scene)
                       closed.empty() ? "no" : closed.c_str(), object->trimLoops.empty() ? "no" : "yes");
         std::cout << line << object->name << '\n';
     }
+    printMeshes(scene);
 }
 
 int run(const Options& options)

@@ -1,10 +1,12 @@
 // The program: one executable, the window and the commands that need no display.
 #include <algorithm>
+#include <csignal>
 #include <exception>
 #include <iostream>
 
 #include "app/commands.h"
 #include "app/output.h"
+#include "model/files/unfinished_files.h"
 #include "model/formats/isolated_import.h"
 
 namespace {
@@ -34,6 +36,7 @@ int run(int& argc, char** argv)
     addConvertCommand(app, exitCode);
     addInfoCommand(app, exitCode);
     addAnalyzeCommand(app, exitCode);
+    addCompareCommand(app, exitCode);
     addSampleCommand(app, exitCode);
     addEvaluateCommand(app, exitCode);
     addMeasureCommand(app, exitCode);
@@ -49,10 +52,23 @@ int run(int& argc, char** argv)
     return exitCode;
 }
 
+// What is half written goes; then the signal does what it always does.
+void endTidily(int number)
+{
+    formats::removeUnfinishedFiles();
+    std::signal(number, SIG_DFL);
+    std::raise(number);
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
 {
+    // A file that may not grow is a failure like any other, not the end.
+    std::signal(SIGXFSZ, SIG_IGN);
+    for (const int number : {SIGINT, SIGTERM, SIGHUP})
+        if (std::signal(number, endTidily) == SIG_IGN)  // as nohup wants it
+            std::signal(number, SIG_IGN);
     int exitCode = kFailed;
     try {
         exitCode = run(argc, argv);

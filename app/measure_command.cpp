@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <iostream>
 #include <memory>
 
@@ -86,7 +87,7 @@ PathReport measurePaths(const Subject& subject, const MeasureRequest& request)
 {
     PathReport report{subject.file, subject.device(), request.ofPaths, {}};
     Frame& frame = report.request.frame;
-    frame.camera = *namedView(request.view, subject.scene.controlPoints(),
+    frame.camera = *namedView(request.view, subject.scene.hullPoints(),
                               static_cast<double>(frame.width) / frame.height, false);
     if (!subject.renderer) {
         report.rows =
@@ -109,9 +110,10 @@ Result<Subject> subjectOf(const MeasureTexts& texts)
     auto scene = readModel(texts.file);
     if (!scene)
         return tl::unexpected(scene.error());
-    if (scene->bounds().isEmpty())
+    const auto isVisible = [](const auto& entry) { return entry.second->visible; };
+    if (std::none_of(scene->objects().begin(), scene->objects().end(), isVisible))
         return tl::unexpected<Error>(
-            {"The model holds nothing to measure", texts.file, "Choose another model"});
+            {"The model holds no surface to measure", texts.file, "Choose another model"});
     Subject subject{std::filesystem::path(texts.file).filename().string(), std::move(*scene),
                     Renderer::create({texts.device, false})};
     if (!subject.renderer && texts.device)

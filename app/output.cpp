@@ -76,8 +76,10 @@ int failed(const Error& error)
     return kFailed;
 }
 
-Result<formats::Import> readImport(const std::filesystem::path& path)
+Result<formats::Import> readImport(const std::filesystem::path& path, std::string name)
 {
+    if (name.empty())
+        name = path.string();
     auto import = [&path] {
         ProgressLine line;
         const auto show = [&](const std::string& stage, double) { line(path, stage); };
@@ -85,7 +87,7 @@ Result<formats::Import> readImport(const std::filesystem::path& path)
     }();
     if (import)
         for (const std::string& note : import->notes)
-            tell(path.string() + ": " + note);
+            tell(name + ": " + note);
     return import;
 }
 

@@ -29,8 +29,8 @@ void tell(const std::string& sentence);
 // Tells the error; returns the exit code for it.
 [[nodiscard]] int failed(const Error& error);
 
-// formats::readWithNotes, with the notes told.
-[[nodiscard]] Result<formats::Import> readImport(const std::filesystem::path& path);
+// formats::readWithNotes, with the notes told; of a file called `name` where that is not its path.
+[[nodiscard]] Result<formats::Import> readImport(const std::filesystem::path& path, std::string name = {});
 [[nodiscard]] Result<Scene> readModel(const std::filesystem::path& path);
 
 }  // namespace knotspan::app

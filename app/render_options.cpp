@@ -121,7 +121,7 @@ Camera cameraFor(const RenderTexts& texts, const RenderRequest& request, const S
     if (!request.eye) {
         const double aspect = static_cast<double>(request.size.width) / request.size.height;
         const std::string view = texts.view.empty() ? "iso" : texts.view;
-        return *namedView(view, scene.controlPoints(), aspect, texts.orthographic, texts.fov);
+        return *namedView(view, scene.hullPoints(), aspect, texts.orthographic, texts.fov);
     }
     Camera camera;
     camera.eye = *request.eye;

@@ -7,10 +7,15 @@ packages_to_build=(
     g++ cmake ninja-build pkg-config ccache
     qt6-base-dev libvulkan-dev glslc libglm-dev
     libocct-foundation-dev libocct-modeling-algorithms-dev libocct-data-exchange-dev libtbb-dev libhwy-dev libfontconfig-dev
+    libvtk9-dev
     nlohmann-json3-dev libcli11-dev libexpected-dev
 )
 packages_to_run=(qt6-qpa-plugins qt6-wayland mesa-vulkan-drivers)
-packages_to_test=(libgtest-dev libbenchmark-dev libboost-dev libopenmesh-dev vulkan-validationlayers spirv-tools xvfb xauth)
+packages_to_test=(libgtest-dev libbenchmark-dev libboost-dev libopenmesh-dev vulkan-validationlayers spirv-tools xvfb xauth
+    desktop-file-utils appstream shared-mime-info dpkg-dev file)
+
+# Models of other people's, for ./test --corpus: 6 GB once installed.
+packages_of_corpora=(gmsh-doc calculix-cgx-examples freecad-common kicad-demos kicad-packages3d gzip unzip)
 
 say() { printf '%s\n' "$*" >&2; }
 

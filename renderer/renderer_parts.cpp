@@ -51,6 +51,7 @@ Renderer::Parts::Parts(std::unique_ptr<Instance> madeInstance, const RendererOpt
       counters(device, bindings),
       clock(device),
       scene(bindings, uploader),
+      meshes(device, bindings, uploader),
       facing(bindings, uploader),
       culling(device, bindings),
       pyramid(device, bindings),
@@ -74,15 +75,22 @@ void Renderer::Parts::sync(const Scene& wanted, Joins joins)
     wanted_ = wanted;
     noted_.reset();
     if (!sceneIsHeld_)
-        scene.forget();  // nobody knows how far the last one came
+        forgetScene();  // nobody knows how far the last one came
     if (scene.residents().empty() || !scene.isOfSameShape(wanted_))
         largestDegree_ = largestDegree(visibleObjects(wanted_));
     sceneIsHeld_ = false;
     scene.useEvaluator(chosenEvaluator(wish_, largestDegree_, Precision::float32));
     scene.sync(wanted_, joins);
+    meshes.sync(wanted_);
     sceneIsHeld_ = true;
     syncMs_ += millisecondsSince(started);
     work_.sync += processorMs() - worked;
+}
+
+void Renderer::Parts::forgetScene()
+{
+    scene.forget();
+    meshes.forget();
 }
 
 Specialization Renderer::Parts::specializationFor(Evaluator evaluator) const
@@ -223,7 +231,7 @@ FrameStats Renderer::Parts::draw(const Frame& wantedFrame, bool capture)
         // Nobody knows what arrived: the next frame sends everything again.
         uploader.forgetAll();
         path.forget();
-        scene.forget();
+        forgetScene();
         facing.forget();
         edgeLines.forget();
         marks.forget();

@@ -12,6 +12,7 @@
 #include "renderer/overlays/edge_lines.h"
 #include "renderer/overlays/marks.h"
 #include "renderer/overlays/normal_lines.h"
+#include "renderer/overlays/reference_meshes.h"
 #include "renderer/overlays/rejected_outlines.h"
 #include "renderer/overlays/strokes.h"
 #include "renderer/paths/surface_path.h"
@@ -51,6 +52,7 @@ struct Renderer::Parts {
     GpuCounters counters;
     GpuClock clock;
     GpuScene scene;
+    ReferenceMeshes meshes;
     FacingTable facing;
     ShownSides shownSides;
     FriendSides friendSides;
@@ -74,6 +76,7 @@ struct Renderer::Parts {
     bool deviceLost = false;
 
 private:
+    void forgetScene();
     [[nodiscard]] Specialization specializationFor(Evaluator evaluator) const;
     SurfacePath& pathFor(PathId id, const PathVariant& variant);
     void checkFrame(const Frame& frame) const;

@@ -35,6 +35,7 @@ std::vector<HeldMemory> Renderer::Parts::memory() const
 {
     std::vector<HeldMemory> held;
     scene.listMemory(held);
+    meshes.listMemory(held);
     facing.listMemory(held);
     culling.listMemory(held);
     pyramid.listMemory(held);

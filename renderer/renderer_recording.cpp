@@ -45,6 +45,7 @@ void Renderer::Parts::record(VkCommandBuffer commands, const Frame& frame, const
         drawMade();
     }
     bindings.bind(commands, VK_PIPELINE_BIND_POINT_GRAPHICS);
+    meshes.draw(commands, frame.camera, frame.overlays.highlighted);
     if (anything && frame.cullingCamera)
         rejectedOutlines.draw(commands, scene.ksquadCount());
     drawOverlays(commands, frame.overlays);

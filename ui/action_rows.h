@@ -16,6 +16,12 @@ inline bool hasSelection(Window& window)
     return !window.selection().objects().empty();
 }
 
+// Of surfaces or of meshes, which are looked at only.
+inline bool hasAnySelection(Window& window)
+{
+    return hasSelection(window) || !window.selection().meshes().empty();
+}
+
 // Brings up the window's only dialog of its kind, made when it is first wanted. The window deletes it before
 // the document.
 template <class Dialog, class Make>

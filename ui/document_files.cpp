@@ -3,6 +3,7 @@
 #include <QFileInfo>
 #include <QGuiApplication>
 
+#include "model/formats/format_list.h"
 #include "model/samples/sample_list.h"
 #include "ui/message_bar.h"
 #include "ui/reading_line.h"
@@ -38,9 +39,12 @@ DocumentFiles::DocumentFiles(QWidget& window, Document& document, MessageBar& me
       document_(document),
       messages_(messages),
       line_(line),
+      watch_(document),
       questions_(std::move(questions))
 {
     QObject::connect(&line_, &ReadingLine::cancelled, &line_, [this] { cancelReading(); });
+    QObject::connect(&watch_, &FileWatch::changed, &watch_,
+                     [this](const QString& path) { offerReload(path); });
 }
 
 DocumentFiles::~DocumentFiles() = default;
@@ -65,7 +69,26 @@ void DocumentFiles::open(const std::vector<fs::path>& files)
     if (files.empty() || isRefusedWhileReading() || !mayDrop())
         return;
     messages_.dismiss();
-    start({files, true, 0, 0, document_.scene(), {}, {}});
+    start({.files = files, .opens = true, .sceneBefore = document_.scene()});
+}
+
+void DocumentFiles::reload()
+{
+    if (document_.source().empty() || isRefusedWhileReading())
+        return;
+    messages_.dismiss();
+    start({.files = {document_.source()}, .reloads = true, .trimmedBefore = trimmedFaces()});
+}
+
+void DocumentFiles::offerReload(const QString& path)
+{
+    const QString name = QFileInfo(path).fileName();
+    messages_.offer(document_.isModified()
+                        ? tr("%1 was changed by another program, and you have changed the model here. If you "
+                             "reload, Undo brings your model back.")
+                              .arg(name)
+                        : tr("%1 was changed by another program.").arg(name),
+                    tr("&Reload"), [this] { reload(); });
 }
 
 void DocumentFiles::openSample(const std::string& name)
@@ -93,19 +116,23 @@ void DocumentFiles::askAndAdd()
     if (files.empty())
         return;
     messages_.dismiss();
-    start({files, false, 0, trimmedFaces(), document_.scene(), {}, {}});
+    start({.files = files, .trimmedBefore = trimmedFaces(), .sceneBefore = document_.scene()});
 }
 
 bool DocumentFiles::save()
 {
     if (document_.file().empty())
         return saveAs();
+    if (watch_.isChanged() &&
+        !questions_.overwrite(&window_, QString::fromStdString(document_.file().filename().string())))
+        return false;
     messages_.dismissTrouble();
     const Busy busy;
     if (const Result<void> saved = document_.save(); !saved) {
         report(saved.error());
         return false;
     }
+    messages_.dismissOffer();
     return true;
 }
 
@@ -114,8 +141,10 @@ bool DocumentFiles::saveAs()
     const fs::path known = document_.file();
     QString proposal = QString::fromStdString(known.string());
     if (known.empty())
-        proposal = QFileInfo(document_.title().section(": ", -1)).completeBaseName() + ".knotspan";
-    const QString name = questions_.fileToSave(&window_, proposal, writeFilters());
+        proposal = QString::fromStdString(document_.source().parent_path().string()) +
+                   (document_.source().empty() ? "" : "/") +
+                   QFileInfo(document_.title().section(": ", -1)).completeBaseName() + ".knotspan";
+    const QString name = questions_.fileToSave(&window_, tr("Save the model as"), proposal, writeFilters());
     if (name.isEmpty())
         return false;
     fs::path path = name.toStdString();
@@ -128,7 +157,19 @@ bool DocumentFiles::saveAs()
         return false;
     }
     recentFiles::remember(path);
+    messages_.dismiss();
+    noteMeshesLeftOut(path);
     return true;
+}
+
+void DocumentFiles::noteMeshesLeftOut(const fs::path& path)
+{
+    const formats::Format* format = formats::find(path);
+    if (document_.scene().meshes().empty() || format == nullptr || format->holdsMeshes)
+        return;
+    messages_.note(
+        tr("%1 files hold surfaces only: the meshes are not in %2. Save as .knotspan to keep them.")
+            .arg(QString::fromStdString(format->name), QString::fromStdString(path.filename().string())));
 }
 
 void DocumentFiles::report(const Error& error)

@@ -13,7 +13,8 @@
 #include <QStringList>
 
 #include "model/document/document.h"
-#include "model/formats/format.h"
+#include "model/files/format.h"
+#include "ui/file_watch.h"
 #include "ui/questions.h"
 
 namespace knotspan {
@@ -36,12 +37,15 @@ public:
     void open(const std::vector<std::filesystem::path>& files);
     void openSample(const std::string& name);
     void askAndOpen();
+    // Reads the model's file again; the model as it is now is one undo away. Refused while another is read.
+    void reload();
     void askAndAdd();
     bool save();  // false where it failed or was called off; so for the next
     bool saveAs();
     // Asks where changes would be lost; false: the document must stay.
     [[nodiscard]] bool mayDrop();
 
+    [[nodiscard]] const Questions& questions() const { return questions_; }
     [[nodiscard]] bool isReading() const { return thread_ != nullptr; }
     // Stops reading, says so, and leaves the document as it is.
     void cancelReading();
@@ -52,7 +56,8 @@ private:
     // The files of one call, read one after the other.
     struct Job {
         std::vector<std::filesystem::path> files;
-        bool opens = false;  // the first replaces the document
+        bool opens = false;    // the first replaces the document
+        bool reloads = false;  // the only one is the document's own, anew
         size_t next = 0;
         std::ptrdiff_t trimmedBefore = 0;  // how many trimmed faces the user knows of
         Scene sceneBefore;                 // whose loss was agreed to
@@ -66,6 +71,8 @@ private:
     void readApart(const std::filesystem::path& path);
     void takeFromThread();
     void take(const std::filesystem::path& path, Result<formats::Import> import);
+    void noteMeshesLeftOut(const std::filesystem::path& path);
+    void offerReload(const QString& path);
     [[nodiscard]] bool takeFirst(const std::filesystem::path& path, Result<formats::Import>& import);
     void finish();
     [[nodiscard]] std::ptrdiff_t trimmedFaces() const;
@@ -75,6 +82,7 @@ private:
     Document& document_;
     MessageBar& messages_;
     ReadingLine& line_;
+    FileWatch watch_;
     Questions questions_;
     std::optional<Job> job_;
     std::unique_ptr<ReadingThread> thread_;

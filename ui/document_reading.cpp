@@ -101,7 +101,9 @@ void DocumentFiles::take(const fs::path& path, Result<formats::Import> import)
         job_->wrong << QString::fromStdString(import.error().sentence());
         return;
     }
-    if (!isFirst)
+    if (job_->reloads)
+        document_.reload(import->scene);
+    else if (!isFirst)
         if (const Result<void> added = document_.add(path, import->scene); !added) {
             job_->wrong << QString::fromStdString(added.error().sentence());
             return;

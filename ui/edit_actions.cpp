@@ -38,12 +38,15 @@ void deleteSelected(Window& window)
 {
     window.document().endPreview();
     const std::set<ObjectId>& objects = window.selection().objects();
-    if (objects.empty())
-        return;  // it was a preview's
+    const std::set<ObjectId>& meshes = window.selection().meshes();
     Edit edit;
     for (const ObjectId id : objects)
         edit.set(id, nullptr);
-    const int count = static_cast<int>(objects.size());
+    for (const ObjectId id : meshes)
+        edit.setMesh(id, nullptr);
+    if (edit.isEmpty())
+        return;  // it was a preview's
+    const int count = static_cast<int>(objects.size() + meshes.size());
     window.document().apply(edit, count == 1 ? MainWindow::tr("Delete an object")
                                              : MainWindow::tr("Delete %1 objects").arg(count));
 }
@@ -147,9 +150,9 @@ const std::vector<ActionInfo>& editActions()
         {.id = "edit.delete",
          .text = TEXT("D&elete"),
          .shortcuts = {QKeySequence(Qt::Key_Delete)},
-         .tip = TEXT("Remove the selected objects"),
+         .tip = TEXT("Remove the selected objects and meshes"),
          .run = [](Window& w, bool) { deleteSelected(w); },
-         .isEnabled = hasSelection},
+         .isEnabled = hasAnySelection},
         {.id = "edit.keepFriends",
          .text = TEXT("&Keep friends"),
          .shortcuts = {QKeySequence("Shift+K")},

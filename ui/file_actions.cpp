@@ -1,8 +1,19 @@
 // The menu File.
 #include "ui/action_rows.h"
 #include "ui/document_files.h"
+#include "ui/export_dialog.h"
 
 namespace knotspan {
+
+namespace {
+
+void exportMesh(Window& window)
+{
+    broughtUp<ExportDialog>(
+        window, [&] { return new ExportDialog(window.document(), window.files().questions(), &window); });
+}
+
+}  // namespace
 
 const std::vector<ActionInfo>& fileActions()
 {
@@ -17,6 +28,12 @@ const std::vector<ActionInfo>& fileActions()
          .shortcuts = {QKeySequence("Ctrl+Shift+O")},
          .tip = TEXT("Add the objects of another file to this model"),
          .run = [](Window& w, bool) { w.files().askAndAdd(); }},
+        {.id = "file.reload",
+         .text = TEXT("&Reload"),
+         .shortcuts = {QKeySequence::Refresh},
+         .tip = TEXT("Read the model's file again; Undo brings the model back as it is now"),
+         .run = [](Window& w, bool) { w.files().reload(); },
+         .isEnabled = [](Window& w) { return !w.document().source().empty(); }},
         {.id = "file.save",
          .text = TEXT("&Save"),
          .shortcuts = {QKeySequence::Save},
@@ -28,6 +45,11 @@ const std::vector<ActionInfo>& fileActions()
          .shortcuts = {QKeySequence("Ctrl+Shift+S")},
          .tip = TEXT("Write the model to another file"),
          .run = [](Window& w, bool) { w.files().saveAs(); }},
+        {.id = "file.export",
+         .text = TEXT("&Export mesh…"),
+         .shortcuts = {QKeySequence("Ctrl+E")},
+         .tip = TEXT("Write the visible surfaces as triangles, at an accuracy that you choose"),
+         .run = [](Window& w, bool) { exportMesh(w); }},
         {.id = "file.quit",
          .text = TEXT("&Quit"),
          .shortcuts = {QKeySequence("Ctrl+Q")},

@@ -14,6 +14,7 @@
 
 #include "ui/document_files.h"
 #include "ui/message_bar.h"
+#include "ui/recovery.h"
 #include "ui/tool_settings_store.h"
 
 namespace knotspan {
@@ -37,7 +38,8 @@ MainWindow::MainWindow(Questions questions)
     setObjectName("main-window");
     setAcceptDrops(true);
     makeCentre();
-    files_ = std::make_unique<DocumentFiles>(*this, document_, *messages_, *readingLine_, std::move(questions));
+    files_ =
+        std::make_unique<DocumentFiles>(*this, document_, *messages_, *readingLine_, std::move(questions));
     makeActions();
     makePanels();
     makeToolBar();
@@ -64,9 +66,15 @@ MainWindow::MainWindow(Questions questions)
     showActionStates();
 }
 
+void MainWindow::keepForRecovery(const fs::path& folder, std::chrono::milliseconds interval)
+{
+    recovery_ = std::make_unique<Recovery>(document_, *files_, *messages_, *recoveryBar_, folder, interval);
+}
+
 MainWindow::~MainWindow()
 {
     files_->dropReading();
+    recovery_.reset();
     // What listens to the document goes before it; hidden first, so that nothing hears of a mouse that
     // leaves.
     hide();
@@ -113,6 +121,8 @@ void MainWindow::closeEvent(QCloseEvent* event)
         return;
     }
     files_->dropReading();
+    if (recovery_)
+        recovery_->autosave().endInPeace();
     QSettings settings;
     settings.setValue("geometry", saveGeometry());
     settings.setValue("layout", saveState());

@@ -1,6 +1,8 @@
 // The window: a document, the viewport on it, and what the lists of panels and actions put around it.
 #pragma once
 
+#include <chrono>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <string>
@@ -23,6 +25,8 @@ namespace knotspan {
 class DocumentFiles;
 class MessageBar;
 class ReadingLine;
+class Recovery;
+class RecoveryBar;
 
 class MainWindow : public QMainWindow {
     Q_OBJECT
@@ -37,6 +41,8 @@ public:
     [[nodiscard]] ShownFriends& shownFriends() { return shownFriends_; }
     [[nodiscard]] Viewport& viewport() { return *viewport_; }
     [[nodiscard]] DocumentFiles& files() { return *files_; }
+    // From now on keeps what a crash would lose in that folder, and offers what was left there.
+    void keepForRecovery(const std::filesystem::path& folder, std::chrono::milliseconds interval);
     [[nodiscard]] QAction* action(std::string_view id) const;  // of actionList()
     // The sentence that the message bar shows; empty: none.
     [[nodiscard]] QString message() const;
@@ -69,7 +75,9 @@ private:
     Viewport* viewport_ = nullptr;
     MessageBar* messages_ = nullptr;
     ReadingLine* readingLine_ = nullptr;
+    RecoveryBar* recoveryBar_ = nullptr;
     std::unique_ptr<DocumentFiles> files_;
+    std::unique_ptr<Recovery> recovery_;  // null: nothing is kept
     QLabel* frameLine_ = nullptr;
     QToolBar* toolBar_ = nullptr;
     std::vector<QDockWidget*> panels_;

@@ -16,6 +16,7 @@
 #include "ui/message_bar.h"
 #include "ui/panel_list.h"
 #include "ui/reading_line.h"
+#include "ui/recovery_bar.h"
 #include "ui/tool_settings_store.h"
 #include "ui/tools/tool_list.h"
 
@@ -37,10 +38,12 @@ void MainWindow::makeCentre()
     auto* centre = new QWidget(this);
     messages_ = new MessageBar(centre);
     readingLine_ = new ReadingLine(centre);
+    recoveryBar_ = new RecoveryBar(centre);
     viewport_ = new Viewport(document_, selection_, centre);
     auto* column = new QVBoxLayout(centre);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
+    column->addWidget(recoveryBar_);
     column->addWidget(messages_);
     column->addWidget(readingLine_);
     column->addWidget(viewport_, 1);

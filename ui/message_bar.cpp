@@ -2,6 +2,7 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QToolButton>
 
 namespace knotspan {
@@ -20,6 +21,13 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent)
     text_->setForegroundRole(QPalette::ToolTipText);
     text_->setTextFormat(Qt::PlainText);
     text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    button_ = new QPushButton(this);
+    button_->setObjectName("message-action");
+    connect(button_, &QPushButton::clicked, this, [this] {
+        const auto run = std::move(run_);
+        dismiss();
+        run();
+    });
     auto* close = new QToolButton(this);
     close->setAutoRaise(true);
     close->setIcon(style()->standardIcon(QStyle::SP_TitleBarCloseButton));
@@ -30,6 +38,7 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent)
     auto* row = new QHBoxLayout(this);
     row->addWidget(icon_);
     row->addWidget(text_, 1);
+    row->addWidget(button_, 0, Qt::AlignTop);
     row->addWidget(close, 0, Qt::AlignTop);
     hide();
 }
@@ -46,12 +55,22 @@ void MessageBar::note(const QString& sentence)
     showSentence(sentence, QStyle::SP_MessageBoxInformation);
 }
 
+void MessageBar::offer(const QString& sentence, const QString& button, std::function<void()> run)
+{
+    note(sentence);
+    run_ = std::move(run);
+    button_->setText(button);
+    button_->show();
+}
+
 void MessageBar::showSentence(const QString& sentence, QStyle::StandardPixmap icon)
 {
     const int size = style()->pixelMetric(QStyle::PM_SmallIconSize);
     icon_->setPixmap(style()->standardIcon(icon).pixmap(size, size));
     text_->setText(sentence);
     setAccessibleName(sentence);
+    run_ = nullptr;
+    button_->hide();
     setVisible(true);
 }
 
@@ -61,9 +80,16 @@ void MessageBar::dismissTrouble()
         dismiss();
 }
 
+void MessageBar::dismissOffer()
+{
+    if (run_)
+        dismiss();
+}
+
 void MessageBar::dismiss()
 {
     text_->clear();
+    run_ = nullptr;
     hide();
 }
 

@@ -2,10 +2,13 @@
 // window. What went wrong stays until it is closed or the next thing works.
 #pragma once
 
+#include <functional>
+
 #include <QFrame>
 #include <QStyle>
 
 class QLabel;
+class QPushButton;
 
 namespace knotspan {
 
@@ -17,9 +20,13 @@ public:
 
     void say(const QString& sentence);   // what went wrong
     void note(const QString& sentence);  // what is as it should be, but may surprise
+    // A note with a button; pressing it dismisses the note first.
+    void offer(const QString& sentence, const QString& button, std::function<void()> run);
     void dismiss();
     // Something worked: what went wrong before is past. A note stays.
     void dismissTrouble();
+    // What was offered is out of date.
+    void dismissOffer();
     // Empty where nothing is shown.
     [[nodiscard]] QString message() const;
 
@@ -28,6 +35,8 @@ private:
 
     QLabel* icon_ = nullptr;
     QLabel* text_ = nullptr;
+    QPushButton* button_ = nullptr;
+    std::function<void()> run_;
     bool isTrouble_ = false;
 };
 

@@ -46,72 +46,95 @@ std::set<ObjectId> chosenObjects(Window& window)
     window.document().endPreview();
     return window.selection().objects();
 }
-
-// Each object for which `wanted` says something else than what it is.
-template <class Wanted>
-void tellEach(Window& window, bool SceneObject::*what, const Wanted& wanted, const QString& step)
+std::set<ObjectId> chosenOfAll(Window& window)
 {
-    Edit edit;
-    for (const auto& [id, object] : window.document().scene().objects()) {
-        const bool value = wanted(id, *object);
+    std::set<ObjectId> chosen = chosenObjects(window);
+    chosen.insert(window.selection().meshes().begin(), window.selection().meshes().end());
+    return chosen;
+}
+
+// Each for which `wanted` says something else than what it is.
+template <class Objects, class Object, class Wanted, class Put>
+void tellEachOf(const Objects& objects, bool Object::*what, const Wanted& wanted, const Put& put)
+{
+    for (const auto& [id, object] : objects) {
+        const bool value = wanted(id, (*object).*what);
         if ((*object).*what == value)
             continue;
-        auto changed = std::make_shared<SceneObject>(*object);
+        auto changed = std::make_shared<Object>(*object);
         (*changed).*what = value;
-        edit.set(id, std::move(changed));
+        put(id, std::move(changed));
     }
-    if (!edit.isEmpty())
-        window.document().apply(edit, step);
+}
+
+// Objects and meshes alike.
+template <class Wanted>
+void showEach(Window& window, const Wanted& wanted, const QString& step)
+{
+    Edit edit;
+    const Scene& scene = window.document().scene();
+    tellEachOf(scene.objects(), &SceneObject::visible, wanted,
+               [&](ObjectId id, SharedObject changed) { edit.set(id, std::move(changed)); });
+    tellEachOf(scene.meshes(), &MeshObject::visible, wanted,
+               [&](ObjectId id, SharedMesh changed) { edit.setMesh(id, std::move(changed)); });
+    window.document().apply(edit, step);
+}
+
+template <class Wanted>
+void lockEach(Window& window, const Wanted& wanted, const QString& step)
+{
+    Edit edit;
+    tellEachOf(window.document().scene().objects(), &SceneObject::locked, wanted,
+               [&](ObjectId id, SharedObject changed) { edit.set(id, std::move(changed)); });
+    window.document().apply(edit, step);
 }
 
 void hideSelected(Window& window)
 {
-    const std::set<ObjectId> chosen = chosenObjects(window);
-    tellEach(
-        window, &SceneObject::visible,
-        [&](ObjectId id, const SceneObject& object) { return object.visible && chosen.count(id) == 0; },
+    const std::set<ObjectId> chosen = chosenOfAll(window);
+    showEach(
+        window, [&](ObjectId id, bool visible) { return visible && chosen.count(id) == 0; },
         MainWindow::tr("Hide"));
     window.selection().clear();
 }
 
 void isolateSelected(Window& window)
 {
-    const std::set<ObjectId> chosen = chosenObjects(window);
+    const std::set<ObjectId> chosen = chosenOfAll(window);
     if (chosen.empty())
         return;  // all would go
-    tellEach(
-        window, &SceneObject::visible, [&](ObjectId id, const SceneObject&) { return chosen.count(id) != 0; },
-        MainWindow::tr("Isolate"));
+    showEach(
+        window, [&](ObjectId id, bool) { return chosen.count(id) != 0; }, MainWindow::tr("Isolate"));
 }
 
 void showAll(Window& window)
 {
     window.document().endPreview();
-    tellEach(
-        window, &SceneObject::visible, [](ObjectId, const SceneObject&) { return true; },
-        MainWindow::tr("Show all"));
+    showEach(
+        window, [](ObjectId, bool) { return true; }, MainWindow::tr("Show all"));
 }
 
 void lockSelected(Window& window)
 {
     const std::set<ObjectId> chosen = chosenObjects(window);
-    tellEach(
-        window, &SceneObject::locked,
-        [&](ObjectId id, const SceneObject& object) { return object.locked || chosen.count(id) != 0; },
+    lockEach(
+        window, [&](ObjectId id, bool locked) { return locked || chosen.count(id) != 0; },
         MainWindow::tr("Lock"));
 }
 
 void unlockAll(Window& window)
 {
     window.document().endPreview();
-    tellEach(
-        window, &SceneObject::locked, [](ObjectId, const SceneObject&) { return false; },
-        MainWindow::tr("Unlock all"));
+    lockEach(
+        window, [](ObjectId, bool) { return false; }, MainWindow::tr("Unlock all"));
 }
 
 bool anyHidden(Window& window)
 {
-    return window.document().objectCounts().hidden() > 0;
+    const Scene::Meshes& meshes = window.document().scene().meshes();
+    return window.document().objectCounts().hidden() > 0 ||
+           std::any_of(meshes.begin(), meshes.end(),
+                       [](const auto& entry) { return !entry.second->visible; });
 }
 
 bool anyLocked(Window& window)
@@ -183,14 +206,14 @@ const std::vector<ActionInfo>& objectActions()
          .shortcuts = {QKeySequence("Shift+H")},
          .tip = TEXT("Hide the selected objects"),
          .run = [](Window& w, bool) { hideSelected(w); },
-         .isEnabled = hasSelection,
+         .isEnabled = hasAnySelection,
          .separated = true},
         {.id = "object.isolate",
          .text = TEXT("&Isolate"),
          .shortcuts = {QKeySequence("Shift+I")},
          .tip = TEXT("Show the selected objects and hide all others"),
          .run = [](Window& w, bool) { isolateSelected(w); },
-         .isEnabled = hasSelection},
+         .isEnabled = hasAnySelection},
         {.id = "object.showAll",
          .text = TEXT("Sho&w all"),
          .shortcuts = {QKeySequence("Ctrl+Shift+H")},

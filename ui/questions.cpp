@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QFileDialog>
 #include <QMessageBox>
+#include <QPushButton>
 
 #include "model/formats/format_list.h"
 
@@ -32,14 +33,27 @@ SaveAnswer saveChanges(QWidget* parent, const QString& title)
     }
 }
 
+bool overwrite(QWidget* parent, const QString& file)
+{
+    QMessageBox box(QMessageBox::Warning, tr("Changed by another program"),
+                    tr("\"%1\" was changed by another program since it was read here.").arg(file),
+                    QMessageBox::Cancel, parent);
+    box.setInformativeText(tr("What the other program wrote is lost if you save over it."));
+    const QAbstractButton* save = box.addButton(tr("Save &over it"), QMessageBox::AcceptRole);
+    box.setDefaultButton(QMessageBox::Cancel);
+    box.exec();
+    return box.clickedButton() == save;
+}
+
 QStringList filesToOpen(QWidget* parent, const QString& caption, const QStringList& filters)
 {
     return QFileDialog::getOpenFileNames(parent, caption, {}, filters.join(";;"));
 }
 
-QString fileToSave(QWidget* parent, const QString& proposal, const QStringList& filters)
+QString fileToSave(QWidget* parent, const QString& caption, const QString& proposal,
+                   const QStringList& filters)
 {
-    return QFileDialog::getSaveFileName(parent, tr("Save the model as"), proposal, filters.join(";;"));
+    return QFileDialog::getSaveFileName(parent, caption, proposal, filters.join(";;"));
 }
 
 QStringList patterns(const formats::Format& format)
@@ -59,7 +73,7 @@ QString filter(const QString& name, const QStringList& all)
 
 Questions askTheUser()
 {
-    return {saveChanges, filesToOpen, fileToSave};
+    return {saveChanges, overwrite, filesToOpen, fileToSave};
 }
 
 QStringList readFilters()

@@ -14,11 +14,15 @@ enum class SaveAnswer { save, discard, cancel };
 struct Questions {
     // Whether to save the named document before it goes.
     std::function<SaveAnswer(QWidget* parent, const QString& title)> saveChanges;
+    // Whether to write over the named file, which another program has changed.
+    std::function<bool(QWidget* parent, const QString& file)> overwrite;
     // Which files to read; empty: none. `filters` as QFileDialog takes them.
     std::function<QStringList(QWidget* parent, const QString& caption, const QStringList& filters)>
         filesToOpen;
     // Where to write; empty: nowhere.
-    std::function<QString(QWidget* parent, const QString& proposal, const QStringList& filters)> fileToSave;
+    std::function<QString(QWidget* parent, const QString& caption, const QString& proposal,
+                          const QStringList& filters)>
+        fileToSave;
 };
 
 // The dialogs.

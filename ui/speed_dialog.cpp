@@ -1,5 +1,7 @@
 #include "ui/speed_dialog.h"
 
+#include <algorithm>
+
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QHBoxLayout>
@@ -136,8 +138,10 @@ void SpeedDialog::measure()
 void SpeedDialog::measure(const PathMeasurementRequest& wanted)
 {
     clear();
-    if (document_.scene().bounds().isEmpty()) {
-        details_->setText(tr("There is nothing to measure. Open a model first."));
+    const Scene::Objects& objects = document_.scene().objects();
+    if (std::none_of(objects.begin(), objects.end(),
+                     [](const auto& entry) { return entry.second->visible; })) {
+        details_->setText(tr("There is no surface to measure. Open a model first."));
         return;
     }
     title_ = document_.title();

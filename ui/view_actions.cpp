@@ -81,7 +81,7 @@ const std::vector<ActionInfo>& viewActions()
          .shortcuts = {QKeySequence("Shift+F")},
          .tip = TEXT("Bring the selected objects into view"),
          .run = [](Window& w, bool) { w.viewport().fitSelection(); },
-         .isEnabled = hasSelection},
+         .isEnabled = hasAnySelection},
         {.id = "view.iso",
          .text = TEXT("&Isometric"),
          .shortcuts = {QKeySequence("0")},

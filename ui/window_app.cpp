@@ -5,10 +5,12 @@
 
 #include <QApplication>
 #include <QDir>
+#include <QIcon>
 #include <QTemporaryDir>
 
 #include "ui/document_files.h"
 #include "ui/main_window.h"
+#include "ui/recovery.h"
 
 namespace knotspan {
 
@@ -37,6 +39,14 @@ private:
     QTemporaryDir folder_{QDir::tempPath() + "/knotspan-XXXXXX"};
 };
 
+QIcon icon()
+{
+    QIcon icon;
+    for (const int size : {16, 24, 32, 48, 64, 128})
+        icon.addFile(QString(":/icons/knotspan-%1.png").arg(size));
+    return icon;
+}
+
 }  // namespace
 
 int runWindow(int& argc, char** argv, const std::vector<std::filesystem::path>& files)
@@ -52,8 +62,10 @@ int runWindow(int& argc, char** argv, const std::vector<std::filesystem::path>& 
     QApplication::setApplicationName("Knotspan");
     QApplication::setOrganizationName("Knotspan");
     QGuiApplication::setDesktopFileName("knotspan");
+    QApplication::setWindowIcon(icon());
 
     MainWindow window;
+    window.keepForRecovery(recoveryFolder(), autosaveInterval());
     if (files.empty())
         window.files().openSample("hull");
     else

@@ -40,7 +40,7 @@ Result<DragsBenchmark::Drag> DragsBenchmark::begin(const DragsRequest& request, 
     frame.height = request.height;
     frame.path = request.path.value_or((*renderer)->bestPath());
     frame.culling = request.culling.value_or(defaultCulling());
-    frame.camera = namedView("iso", scene.controlPoints(), double(frame.width) / frame.height, false).value();
+    frame.camera = namedView("iso", scene.hullPoints(), double(frame.width) / frame.height, false).value();
     const double step = 1e-3 * object->surface.bounds().diagonal();
     return Drag{sample, grip, std::move(*renderer), std::move(scene), std::move(*drag), step, frame, {}, {}};
 }

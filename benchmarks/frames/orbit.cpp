@@ -99,7 +99,7 @@ Frame OrbitBenchmark::frameOf(const Scene& rest, PathId path) const
     frame.tolerancePx = request_.tolerancePx;
     frame.path = path;
     const double aspect = static_cast<double>(frame.width) / frame.height;
-    frame.camera = namedView("iso", rest.controlPoints(), aspect, false).value();
+    frame.camera = namedView("iso", rest.hullPoints(), aspect, false).value();
     return frame;
 }
 

@@ -6,9 +6,10 @@
 
 namespace knotspan {
 
-// The box around the transformed surface, to about 1e-9 of its size: the best of a grid of four by four
-// points a KSQuad, climbed from there in each of the six directions. A bulge narrower than that grid may be
-// missed, so this is for people; what must enclose the surface takes the control points.
+// The box around the transformed surface, to about 1e-9 of its size: in each of the six directions the best
+// of a grid of four by four cells on each KSQuad whose control points reach that far, climbed from there. A
+// bulge narrower than that grid may be missed, so this is for people; what must enclose the surface takes the
+// control points.
 [[nodiscard]] Box surfaceBounds(const NurbsSurface& surface, const Mat4& transform);
 
 }  // namespace knotspan

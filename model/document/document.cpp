@@ -1,11 +1,11 @@
 #include "model/document/document.h"
 
 #include <cmath>
-#include <map>
 
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "model/document/edit_command.h"
+#include "model/files/length_units.h"
 #include "model/formats/format_list.h"
 
 namespace knotspan {
@@ -16,15 +16,6 @@ namespace {
 QString fileTitle(const fs::path& path)
 {
     return QString::fromStdString(path.filename().string());
-}
-
-// Millimetres in one unit; 0 for a name we do not know.
-double millimetres(const std::string& unit)
-{
-    static const std::map<std::string, double> kUnits = {
-        {"um", 0.001}, {"mm", 1}, {"cm", 10}, {"m", 1000}, {"km", 1e6}, {"in", 25.4}, {"ft", 304.8}};
-    const auto known = kUnits.find(unit);
-    return known == kUnits.end() ? 0 : known->second;
 }
 
 }  // namespace
@@ -45,12 +36,19 @@ QUndoStack& Document::undoStack()
     return undoStack_;
 }
 
+Scene Document::settledScene() const
+{
+    Scene settled = scene_;
+    if (running_)
+        Edit(running_->edit).applyTo(settled);
+    return settled;
+}
+
 // Whether the running gesture has come back to where it began.
 bool Document::isBackAtStart() const
 {
-    Scene start = scene_;
-    Edit(running_->edit).applyTo(start);
-    return start.objects() == scene_.objects();  // pointers
+    const Scene start = settledScene();
+    return start.objects() == scene_.objects() && start.meshes() == scene_.meshes();  // pointers
 }
 
 Result<void> Document::open(const fs::path& path)
@@ -65,9 +63,18 @@ Result<void> Document::open(const fs::path& path)
 void Document::open(const fs::path& path, Scene content)
 {
     const formats::Format* format = formats::find(path);
-    const bool writable = format != nullptr && format->write != nullptr;
-    replace(std::move(content), writable ? fs::absolute(path) : fs::path(), fileTitle(path),
-            format != nullptr && format->name != "Knotspan");
+    const bool isOwn = format != nullptr && format->isOwn;
+    replace(std::move(content), isOwn ? fs::absolute(path) : fs::path(), fileTitle(path),
+            format != nullptr && !isOwn, fs::absolute(path));
+}
+
+void Document::reload(const Scene& content)
+{
+    endPreview();
+    apply(editBetween(settledScene(), content), tr("Reload"));
+    undoStack_.setClean();
+    ++sourceRevision_;
+    Q_EMIT fileChanged();
 }
 
 Result<void> Document::add(const fs::path& path)
@@ -82,7 +89,7 @@ Result<void> Document::add(const fs::path& path, const Scene& content)
 {
     double scale = 1;
     if (content.units() != scene_.units()) {
-        scale = millimetres(content.units()) / millimetres(scene_.units());
+        scale = formats::millimetresIn(content.units()) / formats::millimetresIn(scene_.units());
         if (!(scale > 0 && std::isfinite(scale)))
             return tl::unexpected(Error{"The file is in \"" + content.units() + "\", the open model in \"" +
                                             scene_.units() + "\", which cannot be converted",
@@ -96,16 +103,29 @@ Result<void> Document::add(const fs::path& path, const Scene& content)
         const ObjectId id = numbered.add(*placed);
         edit.set(id, std::move(placed));
     }
+    for (const auto& [unused, mesh] : content.meshes()) {
+        auto placed = std::make_shared<MeshObject>(*mesh);
+        placed->transform = glm::scale(Mat4(1.0), Vec3(scale)) * placed->transform;
+        const ObjectId id = numbered.addMesh(*placed);
+        edit.setMesh(id, std::move(placed));
+    }
     apply(edit, tr("Add %1").arg(fileTitle(path)));
     return {};
 }
 
 void Document::reset(Scene scene, const QString& title)
 {
-    replace(std::move(scene), {}, title, false);
+    replace(std::move(scene), {}, title, false, {});
 }
 
-void Document::replace(Scene scene, const fs::path& file, const QString& title, bool isImported)
+void Document::recover(Scene scene, const fs::path& file, const QString& title, bool isImported)
+{
+    replace(std::move(scene), file, title, isImported, file);
+    undoStack_.resetClean();  // which tells fileChanged()
+}
+
+void Document::replace(Scene scene, const fs::path& file, const QString& title, bool isImported,
+                       const fs::path& source)
 {
     running_.reset();
     undoStack_.clear();
@@ -113,6 +133,8 @@ void Document::replace(Scene scene, const fs::path& file, const QString& title, 
     file_ = file;
     title_ = title;
     isImported_ = isImported;
+    source_ = source;
+    ++sourceRevision_;
     Q_EMIT documentReplaced();
     Q_EMIT sceneChanged();
     Q_EMIT fileChanged();
@@ -127,18 +149,17 @@ Result<void> Document::save()
 
 Result<void> Document::saveAs(const fs::path& path)
 {
-    Scene saved = scene_;
-    if (isPreviewing()) {
-        Edit back = running_->edit;
-        back.applyTo(saved);
-    } else {
+    if (!isPreviewing())
         finishRunning();
-    }
-    if (Result<void> written = formats::write(saved, path); !written)
+    if (Result<void> written = formats::write(settledScene(), path); !written)
         return written;
     file_ = fs::absolute(path);
+    source_ = file_;
+    ++sourceRevision_;
     title_ = fileTitle(path);
-    undoStack_.setClean();
+    const formats::Format* format = formats::find(path);
+    if (scene_.meshes().empty() || format == nullptr || format->holdsMeshes)
+        undoStack_.setClean();
     Q_EMIT fileChanged();
     return {};
 }

@@ -20,6 +20,8 @@ public:
     explicit Document(QObject* parent = nullptr);
 
     [[nodiscard]] const Scene& scene() const { return scene_; }
+    // The scene as its steps made it: without a running drag or preview.
+    [[nodiscard]] Scene settledScene() const;
     [[nodiscard]] const ObjectCounts& objectCounts() const
     {
         counts_.follow(scene_);
@@ -40,6 +42,10 @@ public:
 
     // The file that save() writes to; empty for a new or imported model, which needs saveAs().
     [[nodiscard]] const std::filesystem::path& file() const { return file_; }
+    // The file that the model was read from or written to last, whatever its format; empty: none.
+    [[nodiscard]] const std::filesystem::path& source() const { return source_; }
+    // Counts the times that it was.
+    [[nodiscard]] int sourceRevision() const { return sourceRevision_; }
     // Whether another program's format brought the model here.
     [[nodiscard]] bool isImported() const { return isImported_; }
     // What a title bar calls the document; never empty.
@@ -53,8 +59,12 @@ public:
     // The same with the file's content read already, as on another thread.
     void open(const std::filesystem::path& path, Scene content);
     [[nodiscard]] Result<void> add(const std::filesystem::path& path, const Scene& content);
+    // Takes over what source() holds now, as a step that can be undone; the model is unmodified then.
+    void reload(const Scene& content);
     // Replaces everything by a scene that belongs to no file.
     void reset(Scene scene, const QString& title);
+    // Replaces everything by what was kept of a document that was not saved: modified, and of the same file.
+    void recover(Scene scene, const std::filesystem::path& file, const QString& title, bool isImported);
 
     [[nodiscard]] Result<void> save();
     [[nodiscard]] Result<void> saveAs(const std::filesystem::path& path);
@@ -95,13 +105,16 @@ private:
     void swapIn(Edit& edit);
     void finishRunning();
     [[nodiscard]] bool isBackAtStart() const;
-    void replace(Scene scene, const std::filesystem::path& file, const QString& title, bool isImported);
+    void replace(Scene scene, const std::filesystem::path& file, const QString& title, bool isImported,
+                 const std::filesystem::path& source);
 
     Scene scene_;
     mutable ObjectCounts counts_;  // of the scene when last asked
     QUndoStack undoStack_;
     std::optional<Running> running_;
     std::filesystem::path file_;
+    std::filesystem::path source_;
+    int sourceRevision_ = 0;
     QString title_;
     bool isImported_ = false;
     int lastGesture_ = 0;

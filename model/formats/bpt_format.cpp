@@ -1,7 +1,7 @@
 #include "model/formats/bpt_format.h"
 
-#include "model/formats/obj_statements.h"
-#include "model/formats/text_file.h"
+#include "model/files/text_file.h"
+#include "model/files/text_statements.h"
 
 namespace knotspan::formats {
 
@@ -80,7 +80,7 @@ private:
         return *std::move(surface);
     }
 
-    ObjStatements words_;
+    TextStatements words_;
     size_t size_;
 };
 
@@ -104,7 +104,9 @@ Result<Import> sceneFromBpt(std::string_view text)
 
 Format bptFormat()
 {
-    return {"Bezier patches", {"bpt"}, readBptFile, nullptr};
+    Format format{"Bezier patches", {"bpt"}, readBptFile, nullptr};
+    format.namesUnits = false;
+    return format;
 }
 
 }  // namespace knotspan::formats

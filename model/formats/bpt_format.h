@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-#include "model/formats/format.h"
+#include "model/files/format.h"
 
 namespace knotspan::formats {
 

@@ -2,15 +2,17 @@
 
 #include <algorithm>
 #include <cctype>
+#include <chrono>
 #include <new>
 
+#include "model/cad/brep_format.h"
+#include "model/cad/iges_format.h"
+#include "model/cad/step_format.h"
+#include "model/files/file_replacement.h"
 #include "model/formats/bpt_format.h"
-#include "model/formats/brep_format.h"
-#include "model/formats/file_replacement.h"
-#include "model/formats/iges_format.h"
 #include "model/formats/knotspan_format.h"
 #include "model/formats/obj_format.h"
-#include "model/formats/step_format.h"
+#include "model/mesh_files/mesh_formats.h"
 
 namespace knotspan::formats {
 namespace fs = std::filesystem;
@@ -99,7 +101,13 @@ Result<void> writeUnnamed(const Scene& scene, const fs::path& path)
     const auto format = formatFor(path, "write", [](const Format& f) { return f.write != nullptr; });
     if (!format)
         return tl::unexpected(format.error());
-    return replaceFile(path, [&](const fs::path& temporary) { return (*format)->write(scene, temporary); });
+    try {
+        return replaceFile(path,
+                           [&](const fs::path& temporary) { return (*format)->write(scene, temporary); });
+    } catch (const std::bad_alloc&) {
+        return failure("Writing the model needs more memory than there is",
+                       "Close other programs and try again");
+    }
 }
 
 }  // namespace
@@ -107,12 +115,8 @@ Result<void> writeUnnamed(const Scene& scene, const fs::path& path)
 const std::vector<Format>& all()
 {
     static const std::vector<Format> list{
-        knotspanFormat(),
-        stepFormat(),
-        igesFormat(),
-        brepFormat(),
-        objFormat(),
-        bptFormat(),
+        knotspanFormat(), stepFormat(), igesFormat(), brepFormat(), objFormat(),  bptFormat(),
+        stlFormat(),      plyFormat(),  offFormat(),  vtpFormat(),  gltfFormat(),
     };
     return list;
 }
@@ -134,7 +138,13 @@ Result<Scene> read(const fs::path& path)
 
 Result<Import> readWithNotes(const fs::path& path, const ImportWatch& watch)
 {
-    return readUnnamed(path, watch).map_error([&](const Error& error) { return error.at(path.string()); });
+    const auto start = std::chrono::steady_clock::now();
+    auto import =
+        readUnnamed(path, watch).map_error([&](const Error& error) { return error.at(path.string()); });
+    if (import)
+        import->report.seconds =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return import;
 }
 
 bool isReadApart(const fs::path& path)

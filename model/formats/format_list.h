@@ -1,7 +1,7 @@
 // The formats Knotspan knows, and the two functions through which all models come in and go out.
 #pragma once
 
-#include "model/formats/format.h"
+#include "model/files/format.h"
 #include "model/formats/isolated_import.h"
 
 namespace knotspan::formats {

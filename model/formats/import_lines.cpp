@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "model/files/json_parsing.h"
 #include "model/formats/knotspan_json.h"
 
 namespace knotspan::formats {
@@ -29,7 +30,8 @@ Json jsonOf(const ImportReport& report)
             {"untrimmed", report.untrimmed},
             {"approximation_error", report.approximationError},
             {"refusals", std::move(refusals)},
-            {"file_units", report.fileUnits}};
+            {"file_units", report.fileUnits},
+            {"peak_bytes", report.peakBytes}};
 }
 
 // Throws what nlohmann throws where a member is missing or of another type.
@@ -45,6 +47,7 @@ ImportReport reportOf(const Json& json)
     for (const Json& face : json.at("refusals"))
         report.refusals.push_back({face.at("name").get<std::string>(), face.at("reason").get<std::string>()});
     report.fileUnits = json.at("file_units").get<std::string>();
+    report.peakBytes = json.at("peak_bytes").get<std::uint64_t>();
     return report;
 }
 
@@ -83,6 +86,11 @@ std::string objectLine(const SceneObject& object)
     return "object " + textOf(object) + '\n';
 }
 
+std::string meshLine(const MeshObject& mesh)
+{
+    return "mesh " + textOf(mesh) + '\n';
+}
+
 std::string endLine(const Import& import)
 {
     return lineOf(
@@ -102,6 +110,8 @@ Result<void> ImportLines::take(std::string_view line)
     try {
         if (word == "object")
             return takeObject(text);
+        if (word == "mesh")
+            return takeMesh(text);
         if (word == "end")
             return takeEnd(text);
         const auto json = parsed(text);
@@ -124,18 +134,36 @@ Result<void> ImportLines::take(std::string_view line)
     return rubbish();
 }
 
+// A model of what the line holds alone.
+Result<Scene> ImportLines::sceneOf(const char* list, std::string_view text)
+{
+    auto element = parsed(text);
+    if (!element)
+        return tl::unexpected(element.error());
+    Json model{{"format", "knotspan"}, {"version", 1}, {"units", "mm"}, {"objects", Json::array()}};
+    model[list] = Json::array();
+    model[list].push_back(std::move(*element));
+    auto scene = sceneFromJson(model);
+    if (!scene)
+        return rubbish();
+    return scene;
+}
+
 Result<void> ImportLines::takeObject(std::string_view text)
 {
-    auto object = parsed(text);
-    if (!object)
-        return tl::unexpected(object.error());
-    Json model{{"format", "knotspan"}, {"version", 1}, {"units", "mm"}};
-    model["objects"] = Json::array();
-    model["objects"].push_back(std::move(*object));
-    const auto scene = sceneFromJson(model);
-    if (!scene || scene->objects().size() != 1)
-        return rubbish();
+    const auto scene = sceneOf("objects", text);
+    if (!scene)
+        return tl::unexpected(scene.error());
     import_.scene.add(*scene->objects().begin()->second);
+    return {};
+}
+
+Result<void> ImportLines::takeMesh(std::string_view text)
+{
+    const auto scene = sceneOf("meshes", text);
+    if (!scene)
+        return tl::unexpected(scene.error());
+    import_.scene.addMesh(*scene->meshes().begin()->second);
     return {};
 }
 

@@ -2,6 +2,7 @@
 //
 //     progress {"stage": "Converting face 12 of 340", "done": 0.52}
 //     object {...}           an object of a .knotspan file, to the last bit
+//     mesh {...}             a mesh of one
 //     end {...}              units, notes and report: the model is whole
 //     error {"what": "...", "remedy": "..."}
 //
@@ -12,13 +13,14 @@
 #include <optional>
 #include <string_view>
 
-#include "model/formats/format.h"
+#include "model/files/format.h"
 
 namespace knotspan::formats {
 
 // Each with its line end.
 [[nodiscard]] std::string progressLine(const std::string& stage, double done);
 [[nodiscard]] std::string objectLine(const SceneObject& object);
+[[nodiscard]] std::string meshLine(const MeshObject& mesh);
 [[nodiscard]] std::string endLine(const Import& import);
 [[nodiscard]] std::string errorLine(const Error& error);
 
@@ -37,6 +39,8 @@ public:
 
 private:
     [[nodiscard]] Result<void> takeObject(std::string_view text);
+    [[nodiscard]] Result<void> takeMesh(std::string_view text);
+    [[nodiscard]] static Result<Scene> sceneOf(const char* list, std::string_view text);
     [[nodiscard]] Result<void> takeEnd(std::string_view text);
 
     const ImportProgress& progress_;

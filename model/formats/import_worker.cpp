@@ -2,7 +2,10 @@
 
 #include <cerrno>
 #include <chrono>
+#include <cstdint>
+#include <fstream>
 #include <new>
+#include <string>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -54,6 +57,19 @@ private:
     std::chrono::steady_clock::time_point last_{};
 };
 
+// The most memory it has had in use so far. Not getrusage(): that counts what the parent had at the fork.
+std::uint64_t peakBytes()
+{
+    std::ifstream status("/proc/self/status");
+    for (std::string word; status >> word;)
+        if (word == "VmHWM:") {
+            std::uint64_t kilobytes = 0;
+            status >> kilobytes;
+            return kilobytes << 10;
+        }
+    return 0;
+}
+
 Result<Import> readHere(const std::filesystem::path& path, int output)
 {
     const Format* format = find(path);
@@ -72,13 +88,16 @@ Result<Import> readHere(const std::filesystem::path& path, int output)
 void runImportWorker(const std::filesystem::path& path)
 {
     const int output = takeOutput();
-    const auto import = readHere(path, output);
+    auto import = readHere(path, output);
     if (!import) {
         send(output, errorLine(import.error()));
         ::_exit(1);
     }
     for (const auto& [id, object] : import->scene.objects())
         send(output, objectLine(*object));
+    for (const auto& [id, mesh] : import->scene.meshes())
+        send(output, meshLine(*mesh));
+    import->report.peakBytes = peakBytes();
     send(output, endLine(*import));
     ::_exit(0);
 }

@@ -10,7 +10,7 @@
 #include <atomic>
 #include <optional>
 
-#include "model/formats/format.h"
+#include "model/files/format.h"
 #include "model/formats/worker_process.h"
 
 namespace knotspan::formats {

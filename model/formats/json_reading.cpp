@@ -1,5 +1,7 @@
 #include <cmath>
+#include <cstring>
 
+#include "model/files/base64.h"
 #include "model/formats/knotspan_json.h"
 
 namespace knotspan::formats {
@@ -187,6 +189,44 @@ SceneObject objectOf(const Place& place)
             place.has("locked") && place.member("locked").yesOrNo()};
 }
 
+// Little-endian numbers in base64; as bytes, because those are of no alignment.
+template <class T>
+std::vector<T> elementsOf(const Place& place)
+{
+    const auto bytes = bytesOfBase64(place.text());
+    if (!bytes)
+        place.refuse("is no base64");
+    if (bytes->empty() || bytes->size() % sizeof(T) != 0)
+        place.refuse("does not hold a whole number of them");
+    std::vector<T> elements(bytes->size() / sizeof(T));
+    std::memcpy(elements.data(), bytes->data(), bytes->size());
+    return elements;
+}
+
+TriangleMesh meshOf(const Place& object)
+{
+    const Place vertices = object.member("vertices");
+    const Place triangles = object.member("triangles");
+    TriangleMesh mesh{elementsOf<Vec3>(vertices), elementsOf<Triangle>(triangles)};
+    for (const Vec3& vertex : mesh.vertices)
+        if (!std::isfinite(vertex.x) || !std::isfinite(vertex.y) || !std::isfinite(vertex.z))
+            vertices.refuse("holds a number that is not finite");
+    for (const Triangle& triangle : mesh.triangles)
+        for (const std::uint32_t vertex : triangle)
+            if (vertex >= mesh.vertices.size())
+                triangles.refuse("names a vertex that is not there");
+    return mesh;
+}
+
+MeshObject meshObjectOf(const Place& place)
+{
+    MeshObject object = meshObject(place.member("name").text(), meshOf(place));
+    object.colour = colourOf(place.member("colour"));
+    object.transform = transformOf(place.member("transform"));
+    object.visible = place.member("visible").yesOrNo();
+    return object;
+}
+
 Scene sceneOf(const Place& file)
 {
     if (!file.value().is_object() || !file.has("format") || file.value()["format"] != "knotspan")
@@ -203,6 +243,11 @@ Scene sceneOf(const Place& file)
     const Place objects = file.member("objects");
     for (size_t i = 0; i < objects.size(); ++i)
         scene.add(objectOf(objects.element(i)));
+    if (file.has("meshes")) {  // files without any, and those from before there were any, have none
+        const Place meshes = file.member("meshes");
+        for (size_t i = 0; i < meshes.size(); ++i)
+            scene.addMesh(meshObjectOf(meshes.element(i)));
+    }
     return scene;
 }
 

@@ -1,3 +1,7 @@
+#include <bit>
+#include <span>
+
+#include "model/files/base64.h"
 #include "model/formats/knotspan_json.h"
 
 namespace knotspan::formats {
@@ -49,6 +53,19 @@ Json jsonOf(const Mat4& transform)
     return rows;
 }
 
+Json jsonOf(const Colour& colour)
+{
+    return {colour.red, colour.green, colour.blue};
+}
+
+// As text a million triangles would take minutes to read.
+template <class T>
+std::string bytesOf(const std::vector<T>& elements)
+{
+    static_assert(std::endian::native == std::endian::little);
+    return base64Of(std::as_bytes(std::span(elements)));
+}
+
 std::string dumped(const Json& json)
 {
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -59,7 +76,7 @@ std::string dumped(const Json& json)
 std::string textOf(const SceneObject& object)
 {
     Json json{{"name", object.name},
-              {"colour", {object.colour.red, object.colour.green, object.colour.blue}},
+              {"colour", jsonOf(object.colour)},
               {"transform", jsonOf(object.transform)},
               {"visible", object.visible},
               {"surface", jsonOf(object.surface)},
@@ -69,6 +86,16 @@ std::string textOf(const SceneObject& object)
     if (object.locked)
         json["locked"] = true;
     return dumped(json);
+}
+
+std::string textOf(const MeshObject& object)
+{
+    return dumped({{"name", object.name},
+                   {"colour", jsonOf(object.colour)},
+                   {"transform", jsonOf(object.transform)},
+                   {"visible", object.visible},
+                   {"vertices", bytesOf(object.mesh->vertices)},
+                   {"triangles", bytesOf(object.mesh->triangles)}});
 }
 
 std::string textOf(const std::string& value)

@@ -1,7 +1,7 @@
 // Knotspan's own format: JSON that keeps every number to the last bit (docs/formats.md).
 #pragma once
 
-#include "model/formats/format.h"
+#include "model/files/format.h"
 
 namespace knotspan::formats {
 

@@ -2,7 +2,8 @@
 
 #include <fstream>
 
-#include "model/formats/text_file.h"
+#include "model/files/length_units.h"
+#include "model/files/text_file.h"
 
 namespace knotspan::formats {
 
@@ -10,10 +11,24 @@ namespace {
 
 constexpr unsigned kMostMebibytes = 512;
 
+std::string unitsSaidIn(std::string_view text)
+{
+    const std::string_view first = text.substr(0, text.find_first_of("\r\n"));
+    const size_t said = first.rfind(kObjUnits);
+    if (first.substr(0, 1) != "#" || said == std::string_view::npos)
+        return "mm";
+    const std::string_view rest = first.substr(said + kObjUnits.size());
+    std::string name(rest.substr(0, rest.rfind('.')));
+    return millimetresIn(name) > 0 ? name : "mm";
+}
+
 Result<Import> readObjFile(const std::filesystem::path& path)
 {
     return wholeText(path, kMostMebibytes, "obj").and_then([](const std::string& text) {
-        return sceneFromObj(text);
+        return sceneFromObj(text).map([&](Import&& import) {
+            import.scene.setUnits(unitsSaidIn(text));
+            return std::move(import);
+        });
     });
 }
 
@@ -32,7 +47,9 @@ Result<void> writeObjFile(const Scene& scene, const std::filesystem::path& path)
 
 Format objFormat()
 {
-    return {"OBJ", {"obj"}, readObjFile, writeObjFile};
+    Format format{"OBJ", {"obj"}, readObjFile, writeObjFile};
+    format.namesUnits = false;
+    return format;
 }
 
 }  // namespace knotspan::formats

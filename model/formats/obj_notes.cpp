@@ -14,7 +14,6 @@ struct Words {
 
 // In the order of Skipped.
 constexpr Words kWords[] = {
-    {"polygon of a mesh was", "polygons of meshes were"},
     {"line or point of a mesh was", "lines and points of meshes were"},
     {"curve in space was", "curves in space were"},
     {"statement about special curves and points was", "statements about special curves and points were"},
@@ -34,8 +33,6 @@ bool ObjNotes::skip(std::string_view keyword)
 {
     using Kind = std::optional<Skipped>;
     static const std::map<std::string_view, Kind> kinds{
-        {"f", Skipped::polygon},
-        {"fo", Skipped::polygon},
         {"l", Skipped::meshLine},
         {"p", Skipped::meshLine},
         {"curv", Skipped::spaceCurve},
@@ -117,11 +114,7 @@ tl::unexpected<Error> ObjNotes::refusal() const
         return failure("None of the file's " + std::to_string(surfaces_) +
                            " surfaces can be read; the first reason is: " + leftOut_.first,
                        "Repair the model in the program that made it");
-    if (count(Skipped::polygon) > 0)
-        return failure("The file holds a mesh, no free-form surfaces: " +
-                           counted(count(Skipped::polygon), kWords[0]) + " found",
-                       "Choose a file with free-form surfaces");
-    return failure("The file holds no free-form surfaces", "Choose another file");
+    return failure("The file holds neither free-form surfaces nor polygons", "Choose another file");
 }
 
 }  // namespace knotspan::formats

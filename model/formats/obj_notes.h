@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "model/formats/format.h"
+#include "model/files/format.h"
 
 namespace knotspan::formats {
 
@@ -30,11 +30,9 @@ private:
         std::string first;
         void add(int line, const std::string& reason);
     };
-    enum class Skipped { polygon, meshLine, spaceCurve, special, connection, call, oldPatch };
+    enum class Skipped { meshLine, spaceCurve, special, connection, call, oldPatch };
 
-    [[nodiscard]] int count(Skipped kind) const { return skipped_[static_cast<size_t>(kind)]; }
-
-    std::array<int, 7> skipped_{};
+    std::array<int, 6> skipped_{};
     int surfaces_ = 0;
     Tally leftOut_;
     Tally untrimmed_;

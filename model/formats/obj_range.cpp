@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/formats/text_file.h"
+#include "model/files/text_file.h"
 #include "model/geometry/knot_insertion.h"
 
 namespace knotspan::formats {

@@ -2,12 +2,14 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <span>
 
+#include "model/files/text_file.h"
+#include "model/files/text_statements.h"
 #include "model/formats/obj_elements.h"
 #include "model/formats/obj_format.h"
 #include "model/formats/obj_notes.h"
-#include "model/formats/obj_statements.h"
-#include "model/formats/text_file.h"
+#include "model/mesh_files/mesh_building.h"
 
 namespace knotspan::formats {
 
@@ -29,8 +31,9 @@ public:
         for (auto keyword = statements_.next(); !keyword.empty(); keyword = statements_.next())
             obey(keyword);
         if (element_)
-            ObjStatements::refuseAt(element_->line, "What begins here has no end statement");
-        if (import_.scene.objects().empty())
+            TextStatements::refuseAt(element_->line, "What begins here has no end statement");
+        addMesh();
+        if (import_.scene.objects().empty() && import_.scene.meshes().empty())
             return notes_.refusal();
         import_.notes = notes_.sentences();
         return std::move(import_);
@@ -49,7 +52,8 @@ private:
             {"curv", &ObjReader::spaceCurve},  {"parm", &ObjReader::parameters},
             {"trim", &ObjReader::outerLoop},   {"hole", &ObjReader::hole},
             {"end", &ObjReader::end},          {"o", &ObjReader::name},
-            {"g", &ObjReader::groupName},
+            {"g", &ObjReader::groupName},      {"f", &ObjReader::polygon},
+            {"fo", &ObjReader::polygon},
         };
         if (const auto handler = handlers.find(keyword); handler != handlers.end())
             (this->*handler->second)();
@@ -137,7 +141,7 @@ private:
     void begin(ElementKind kind)
     {
         if (element_)
-            ObjStatements::refuseAt(element_->line, "What begins here has no end statement");
+            TextStatements::refuseAt(element_->line, "What begins here has no end statement");
         if (!hasKind_)
             statements_.refuse("The kind of curve (cstype) is not stated before");
         kind_ = kind;
@@ -167,6 +171,44 @@ private:
             statements_.refuse("There is no " + std::string(what) + " " + std::to_string(index) +
                                ": up to here there are " + std::to_string(existing));
         return static_cast<size_t>(index > 0 ? index - 1 : count + index);
+    }
+
+    // With any textures and normals behind slashes.
+    void polygon()
+    {
+        if (polygons_.size() == kMostMeshTriangles)
+            throw Error{"The file has more than " + std::to_string(kMostMeshTriangles) + " polygons",
+                        "line " + std::to_string(statements_.line()), "Split the mesh into several files"};
+        if (polygons_.empty())
+            meshName_ = name_;
+        for (auto word = statements_.word(); !word.empty(); word = statements_.word()) {
+            const auto index = integerIn(word.substr(0, word.find('/')));
+            if (!index)
+                statements_.refuse("The number of a vertex is none, but " + quoted(word));
+            corners_.push_back(static_cast<std::uint32_t>(counted(*index, vertices_.size(), "vertex")));
+        }
+        const size_t start = polygons_.empty() ? 0 : polygons_.back();
+        if (corners_.size() - start < 3)
+            statements_.refuse("A polygon has fewer than three corners");
+        polygons_.push_back(corners_.size());
+    }
+
+    // Of all polygons, whatever groups they are in: parts of one body stay together.
+    void addMesh()
+    {
+        if (polygons_.empty())
+            return;
+        MeshBuilding building;
+        for (const ControlPoint& vertex : vertices_)
+            building.vertex(vertex.position);
+        const std::span<const std::uint32_t> corners(corners_);
+        size_t start = 0;
+        for (const size_t end : polygons_) {
+            building.polygon(corners.subspan(start, end - start));
+            start = end;
+        }
+        if (!building.isEmpty())
+            import_.scene.addMesh(meshObject(meshName_.empty() ? "Mesh" : meshName_, building.take()));
     }
 
     void surface()
@@ -272,13 +314,16 @@ private:
             name_ = nameIn(text);
     }
 
-    ObjStatements statements_;
+    TextStatements statements_;
     Import import_;
     ObjNotes notes_;
     ObjBasis basis_;
     bool hasKind_ = false;
     std::string name_;
     std::vector<ControlPoint> vertices_;
+    std::vector<std::uint32_t> corners_;  // of all polygons
+    std::vector<size_t> polygons_;        // the ends of their corners
+    std::string meshName_;
     std::vector<TrimPoint> parameterPoints_;
     std::vector<Result<TrimCurve>> curves_;
     size_t vertexCount_ = 0;

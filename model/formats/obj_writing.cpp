@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/files/text_file.h"
 #include "model/formats/obj_format.h"
-#include "model/formats/text_file.h"
 
 namespace knotspan::formats {
 
@@ -170,7 +170,7 @@ private:
 
 Result<void> writeObj(const Scene& scene, std::ostream& out)
 {
-    out << "# Free-form surfaces, written by Knotspan. Coordinates are in " << nameIn(scene.units()) << ".\n";
+    out << "# Free-form surfaces, written by Knotspan." << kObjUnits << nameIn(scene.units()) << ".\n";
     ObjWriter writer;
     size_t number = 0;
     for (const auto& [id, object] : scene.objects()) {

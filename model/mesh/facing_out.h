@@ -3,7 +3,7 @@
 
 #include "model/analysis/border_curves.h"
 #include "model/mesh/mesh_vertices.h"
-#include "model/mesh/triangle_mesh.h"
+#include "model/geometry/triangle_mesh.h"
 
 namespace knotspan {
 

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "model/mesh/mesh_vertices.h"
-#include "model/mesh/triangle_mesh.h"
+#include "model/geometry/triangle_mesh.h"
 
 namespace knotspan {
 

@@ -11,7 +11,7 @@
 #include "model/core/result.h"
 #include "model/geometry/ksquad.h"
 #include "model/mesh/quad_triangles.h"
-#include "model/mesh/triangle_mesh.h"
+#include "model/geometry/triangle_mesh.h"
 #include "model/scene/scene.h"
 
 namespace knotspan {

@@ -32,6 +32,7 @@ Scene& Scene::operator=(const Scene& other)
     } else {
         objects_ = other.objects_;
     }
+    meshes_ = other.meshes_;
     version_ = other.version_;
     latest_ = other.latest_;
     nextExchange_ = other.nextExchange_;
@@ -50,6 +51,7 @@ Scene& Scene::operator=(Scene&& other) noexcept
     if (this == &other)
         return *this;
     objects_ = std::exchange(other.objects_, {});
+    meshes_ = std::exchange(other.meshes_, {});
     version_ = std::exchange(other.version_, 0);
     latest_ = std::exchange(other.latest_, {});
     nextExchange_ = other.nextExchange_;
@@ -84,6 +86,25 @@ SharedObject Scene::exchange(ObjectId id, SharedObject object)
     return before;
 }
 
+ObjectId Scene::addMesh(MeshObject mesh)
+{
+    const ObjectId id{nextId_};
+    exchangeMesh(id, std::make_shared<const MeshObject>(std::move(mesh)));
+    return id;
+}
+
+SharedMesh Scene::exchangeMesh(ObjectId id, SharedMesh mesh)
+{
+    const auto found = meshes_.find(id);
+    SharedMesh before = found == meshes_.end() ? nullptr : found->second;
+    if (mesh)
+        meshes_[id] = std::move(mesh);
+    else
+        meshes_.erase(id);
+    nextId_ = std::max(nextId_, static_cast<std::uint32_t>(id) + 1);
+    return before;
+}
+
 std::optional<std::vector<ObjectId>> Scene::changedSince(const Scene& earlier) const
 {
     std::vector<ObjectId> changed;
@@ -106,16 +127,26 @@ Box Scene::bounds() const
     for (const auto& [id, object] : objects_)
         if (object->visible)
             box.add(object->bounds());
+    for (const auto& [id, mesh] : meshes_)
+        if (mesh->visible)
+            box.add(mesh->bounds());
     return box;
 }
 
-std::vector<Vec3> Scene::controlPoints() const
+std::vector<Vec3> Scene::hullPoints() const
 {
     std::vector<Vec3> points;
     for (const auto& [id, object] : objects_)
         if (object->visible)
             for (const ControlPoint& point : object->surface.controlPoints())
                 points.push_back(transformed(point.position, object->transform));
+    for (const auto& [id, mesh] : meshes_)
+        if (mesh->visible)
+            for (int corner = 0; corner < 8; ++corner)
+                points.push_back(transformed({(corner & 1 ? mesh->box.high : mesh->box.low).x,
+                                              (corner & 2 ? mesh->box.high : mesh->box.low).y,
+                                              (corner & 4 ? mesh->box.high : mesh->box.low).z},
+                                             mesh->transform));
     return points;
 }
 
@@ -137,11 +168,13 @@ size_t Scene::controlPointCount() const
 
 bool Scene::operator==(const Scene& other) const
 {
-    return units_ == other.units_ && std::equal(objects_.begin(), objects_.end(), other.objects_.begin(),
-                                                other.objects_.end(), [](const auto& a, const auto& b) {
-                                                    return a.first == b.first &&
-                                                           (a.second == b.second || *a.second == *b.second);
-                                                });
+    const auto same = [](const auto& a, const auto& b) {
+        return a.first == b.first && (a.second == b.second || *a.second == *b.second);
+    };
+    const auto allSame = [&](const auto& a, const auto& b) {
+        return std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
+    };
+    return units_ == other.units_ && allSame(objects_, other.objects_) && allSame(meshes_, other.meshes_);
 }
 
 }  // namespace knotspan

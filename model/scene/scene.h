@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "model/scene/mesh_object.h"
 #include "model/scene/scene_object.h"
 
 namespace knotspan {
@@ -19,6 +20,7 @@ enum class ObjectId : std::uint32_t {};
 class Scene {
 public:
     using Objects = std::map<ObjectId, SharedObject>;
+    using Meshes = std::map<ObjectId, SharedMesh>;
 
     Scene() = default;
     Scene(const Scene&) = default;
@@ -38,8 +40,14 @@ public:
     // did).
     SharedObject exchange(ObjectId id, SharedObject object);
 
+    // The meshes that are looked at and compared with. They have ids of their own among the objects'.
+    [[nodiscard]] const Meshes& meshes() const { return meshes_; }
+    ObjectId addMesh(MeshObject mesh);
+    SharedMesh exchangeMesh(ObjectId id, SharedMesh mesh);  // as above
+
     // Where this scene came from `earlier` by few exchanges: the ids exchanged since, each at least once.
-    // Nothing: nobody knows; compare all. Costs the same however many objects there are.
+    // Nothing: nobody knows; compare all. Costs the same however many objects there are. Knows of surfaces
+    // only.
     [[nodiscard]] std::optional<std::vector<ObjectId>> changedSince(const Scene& earlier) const;
 
     // The name of the length unit that coordinates are in ("mm", "m", "in", ...); it scales nothing by
@@ -47,12 +55,13 @@ public:
     [[nodiscard]] const std::string& units() const { return units_; }
     void setUnits(std::string units) { units_ = std::move(units); }
 
-    [[nodiscard]] Box bounds() const;                       // of the visible objects
-    [[nodiscard]] std::vector<Vec3> controlPoints() const;  // of the visible objects, in model space
+    [[nodiscard]] Box bounds() const;                       // of the visible objects and meshes
+    // All that is visible is inside their hull: control points, and the corners of the meshes' boxes.
+    [[nodiscard]] std::vector<Vec3> hullPoints() const;
     [[nodiscard]] size_t ksQuadCount() const;
     [[nodiscard]] size_t controlPointCount() const;
 
-    // Same ids and objects equal in value.
+    // Same ids; objects and meshes equal in value.
     [[nodiscard]] bool operator==(const Scene& other) const;
 
 private:
@@ -63,6 +72,7 @@ private:
     };
 
     Objects objects_;
+    Meshes meshes_;
     std::uint64_t version_ = 0;          // scenes of one version have the same objects; 0: none
     std::array<Exchange, 32> latest_{};  // the last exchanges, oldest first from nextExchange_ on
     std::uint32_t nextExchange_ = 0;

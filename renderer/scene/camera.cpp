@@ -76,6 +76,14 @@ Mat4 Camera::rotation() const
     return {Vec4(r.x, u.x, b.x, 0), Vec4(r.y, u.y, b.y, 0), Vec4(r.z, u.z, b.z, 0), Vec4(0, 0, 0, 1)};
 }
 
+Mat4 Camera::viewFrom(const Mat4& transform, const Vec3& origin) const
+{
+    const Mat4 turned = rotation();
+    Mat4 toView = turned * transform;
+    toView[3] = turned * Vec4(transformed(origin, transform) - eye, 1.0);
+    return toView;
+}
+
 Mat4 Camera::projection(double aspect, const Box& bounds) const
 {
     Mat4 matrix(0.0);

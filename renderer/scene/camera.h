@@ -32,6 +32,10 @@ struct Camera {
     // Rotation to view space (x right, y up, looking along -z); the eye is subtracted separately, in double.
     [[nodiscard]] Mat4 rotation() const;
 
+    // From coordinates relative to `origin`, of an object placed by `transform`, to eye-relative view space;
+    // in double, because both may be far from where the model counts from.
+    [[nodiscard]] Mat4 viewFrom(const Mat4& transform, const Vec3& origin) const;
+
     // From eye-relative view space to Vulkan clip space, depth reversed (1 near, 0 far). `bounds` sets the
     // depth range.
     [[nodiscard]] Mat4 projection(double aspect, const Box& bounds) const;

@@ -136,6 +136,13 @@ void GpuScene::sendBorders(const BorderTables& before)
     sendChanges(borderUses_, BINDING_BORDER_USES, before.uses, after.uses);
 }
 
+Box GpuScene::bounds() const
+{
+    Box box = boxes_.all();
+    box.add(meshBox_);
+    return box;
+}
+
 void GpuScene::listMemory(std::vector<HeldMemory>& to) const
 {
     to.push_back({"control points", controlPoints_.bytes()});

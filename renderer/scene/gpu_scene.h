@@ -66,7 +66,8 @@ public:
     [[nodiscard]] VkBuffer controlPointBuffer() const { return controlPoints_.get(); }
     [[nodiscard]] std::uint32_t controlPointCount() const { return pointCount_; }
     [[nodiscard]] bool isRebuilt() const { return rebuilt_; }  // see takeRebuilt()
-    [[nodiscard]] Box bounds() const { return boxes_.all(); }
+    // Of all that is in the picture, meshes as well.
+    [[nodiscard]] Box bounds() const;
     [[nodiscard]] const BorderTables& borders() const { return edges_.tables(); }
     // Which border sides have a friend, as FriendSides says.
     void setFriends(const std::vector<std::uint8_t>& sides);
@@ -131,6 +132,7 @@ private:
     Scene held_;  // that the residents are of
     ResidentChanges log_;
     Totals<Box> boxes_;  // by resident
+    Box meshBox_;
     std::vector<gpu::SurfaceRecord> records_;
     std::vector<gpu::SurfaceView> views_;
     Viewed viewed_;

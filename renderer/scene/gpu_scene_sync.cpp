@@ -35,6 +35,10 @@ void GpuScene::sync(const Scene& scene, Joins joins)
     else
         rebuild(visibleObjects(scene));
     held_ = scene;
+    meshBox_ = {};
+    for (const auto& [id, mesh] : scene.meshes())
+        if (mesh->visible)
+            meshBox_.add(mesh->bounds());
 }
 
 std::optional<std::vector<size_t>> GpuScene::changesTo(const Scene& scene) const

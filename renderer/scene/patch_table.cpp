@@ -146,6 +146,11 @@ std::vector<glm::vec<4, Real>> packPoints(const PointFrame& frame, std::span<con
 template std::vector<glm::vec<4, float>> packPoints(const PointFrame&, std::span<const ControlPoint>);
 template std::vector<glm::vec<4, double>> packPoints(const PointFrame&, std::span<const ControlPoint>);
 
+gpu::vec3 linearColour(const Colour& colour)
+{
+    return {linear(colour.red), linear(colour.green), linear(colour.blue)};
+}
+
 gpu::SurfaceRecord makeSurfaceRecord(const SceneObject& object, const PointFrame& frame,
                                      std::uint32_t firstPoint)
 {
@@ -160,7 +165,7 @@ gpu::SurfaceRecord makeSurfaceRecord(const SceneObject& object, const PointFrame
             gpu::vec3(cornerOf(surface, (corner & 1) != 0, (corner & 2) != 0) - frame.origin);
     record.spansU = static_cast<std::uint32_t>(surface.knotsU().spans().size());
     record.spansV = static_cast<std::uint32_t>(surface.knotsV().spans().size());
-    record.colour = {linear(object.colour.red), linear(object.colour.green), linear(object.colour.blue)};
+    record.colour = linearColour(object.colour);
     return record;
 }
 

@@ -87,6 +87,9 @@ template <class Real>
 extern template std::vector<glm::vec<4, float>> packPoints(const PointFrame&, std::span<const ControlPoint>);
 extern template std::vector<glm::vec<4, double>> packPoints(const PointFrame&, std::span<const ControlPoint>);
 
+// As light adds up, from sRGB.
+[[nodiscard]] gpu::vec3 linearColour(const Colour& colour);
+
 // What does not depend on the view; `firstPoint` is where the net starts in the scene's buffer. Where its
 // KSQuads and borders start is left at 0.
 [[nodiscard]] gpu::SurfaceRecord makeSurfaceRecord(const SceneObject& object, const PointFrame& frame,

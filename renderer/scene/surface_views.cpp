@@ -8,9 +8,7 @@ gpu::SurfaceView surfaceView(const Resident& resident, const Camera& camera, flo
 {
     const Mat4& transform = resident.object->transform;
     const Mat4 inverse = glm::inverse(transform);
-    const Mat4 rotation = camera.rotation();
-    Mat4 toView = rotation * transform;
-    toView[3] = rotation * Vec4(transformed(resident.frame.origin, transform) - camera.eye, 1.0);
+    const Mat4 toView = camera.viewFrom(transform, resident.frame.origin);
 
     gpu::SurfaceView view{};
     view.modelView = gpu::mat4x3(glm::dmat4x3(toView));

@@ -147,7 +147,7 @@ Bindings::Bindings(const Device& device) : device_(device), placeholder_(device,
     setLayout_ = {device.get(), setLayout};
 
     const VkPushConstantRange range{VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0,
-                                    sizeof(gpu::OverlayConstants)};
+                                    std::max(sizeof(gpu::OverlayConstants), sizeof(gpu::MeshConstants))};
     VkPipelineLayoutCreateInfo layoutInfo{VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
     layoutInfo.setLayoutCount = 1;
     layoutInfo.pSetLayouts = &setLayout;

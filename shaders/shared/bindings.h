@@ -43,7 +43,9 @@
 #define BINDING_EDGE_LINES 38        // parts of KSQuad sides that are drawn as lines
 #define BINDING_MARKS 39             // control points to mark
 #define BINDING_STROKES 40           // straight lines in the picture
-#define BINDING_COUNT 41
+#define BINDING_MESH_VERTICES 41     // of the reference meshes
+#define BINDING_MESH_TRIANGLES 42
+#define BINDING_COUNT 43
 
 // Specialization constants.
 #define KNOTSPAN_LINES_CONSTANT 0      // of the overlays: lines, not points

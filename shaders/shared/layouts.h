@@ -288,6 +288,13 @@ struct OverlayConstants {
     float pointSize;  // pixels
 };
 
+// Push constants of the reference meshes.
+struct MeshConstants {
+    mat4x3 modelView;  // from the mesh's own origin to eye-relative view space
+    vec3 colour;       // linear
+    float highlight;   // 0 to 1
+};
+
 // A control point to mark.
 struct MarkRecord {
     uint surface;
@@ -315,6 +322,7 @@ static_assert(sizeof(EvaluatedRecord<float>) == 48 && sizeof(EvaluatedRecord<dou
 static_assert(sizeof(WaveRecord) == 32 && sizeof(EdgeLineRecord) == 28);
 static_assert(sizeof(IndexedDrawRecord) == 20 && sizeof(VertexRecord) == 56 && sizeof(ObjectVertex) == 44);
 static_assert(sizeof(DrawRecord) == 16 && sizeof(OverlayConstants) == 32);
+static_assert(sizeof(MeshConstants) == 64);
 static_assert(sizeof(MarkRecord) == 16 && sizeof(StrokeRecord) == 28);
 }  // namespace knotspan::gpu
 #endif

@@ -22,18 +22,6 @@ vec3 ksquadColour(uint index)
     return mix(vec3(0.55), rainbow, 0.45) * (0.6 + 0.4 * float(h >> 24) / 255.0);
 }
 
-// Two soft lamps that go with the camera, a hemisphere of sky, and a broad highlight that shows flaws.
-vec3 lit(vec3 albedo, vec3 n, vec3 towardsEye)
-{
-    const vec3 key = normalize(vec3(-0.4, 0.7, 0.6));
-    const vec3 fill = normalize(vec3(0.7, 0.1, 0.5));
-    float sky = 0.5 + 0.5 * n.y;
-    vec3 light = vec3(0.13, 0.13, 0.14) + 0.14 * sky * vec3(0.9, 0.95, 1.0);
-    light += 0.62 * max(dot(n, key), 0.0) * vec3(1.0, 0.98, 0.95) + 0.2 * max(dot(n, fill), 0.0);
-    float gloss = pow(max(dot(n, normalize(key + towardsEye)), 0.0), 40.0);
-    return albedo * light + 0.16 * gloss;
-}
-
 void main()
 {
     PixelPlace place = pixelPlace(inT);
@@ -49,8 +37,7 @@ void main()
         colour = pow(max(0.5 + 0.5 * n, 0.0), vec3(2.2));
     } else {
         vec3 albedo = frame.shading == SHADING_KSQUADS ? ksquadColour(place.ksquad) : surfaces[surface].colour;
-        // The inside of a surface is a little darker and warmer, so that its orientation shows.
-        colour = lit(front ? albedo : albedo * vec3(0.75, 0.62, 0.5), facing, towardsEye);
+        colour = lit(front ? albedo : albedo * kInside, facing, towardsEye);
     }
     colour = mix(colour, vec3(1.0, 0.45, 0.08), 0.22 * surfaceViews[surface].highlight);
     if (frame.isoCurves > 1u)

@@ -1,3 +1,5 @@
+#include "lighting.glsl"
+
 // What the fragment stages write, and what their colours have in common.
 layout(location = 0) out vec4 outColour;   // sRGB, encoded here
 layout(location = 1) out uint outPicked;  // the index + 1 of the KSQuad, for picking
@@ -17,12 +19,6 @@ PixelPlace pixelPlace(vec2 t)
     vec2 before = clamp(floor(t), vec2(0.0), spans - 1.0);
     return PixelPlace(surfaces[surface].firstKsquad + uint(before.x) * surfaces[surface].spansV + uint(before.y),
                       t - before);
-}
-
-vec3 encodedSrgb(vec3 linear)
-{
-    linear = clamp(linear, 0.0, 1.0);
-    return mix(1.055 * pow(linear, vec3(1.0 / 2.4)) - 0.055, 12.92 * linear, lessThan(linear, vec3(0.0031308)));
 }
 
 // How much of a line of about 1.5 pixels along the KSQuad's border covers this pixel.

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "model/formats/format_list.h"
+#include "model/samples/sample_list.h"
 #include "tests/app/run_program.h"
 #include "tests/support.h"
 
@@ -18,10 +19,63 @@ TEST(ConvertCommand, KnotspanToKnotspanIsTheSameFile)
             call.emplace_back("--verify");
         const ProgramRun run = runProgram(call);
         EXPECT_EQ(run.exitCode, 0) << run.messages;
-        EXPECT_EQ(run.output + run.messages, "");
+        EXPECT_EQ(run.messages, "");
+        const std::string place = folder / "b.knotspan";
+        EXPECT_EQ(run.output, verify ? place + ": read back, the same model to the bit\n" : "");
         EXPECT_EQ(readFile(folder / "a.knotspan"), readFile(folder / "b.knotspan"));
         fs::remove(folder / "b.knotspan");
     }
+}
+
+TEST(ConvertCommand, WritesOverNeitherItsInputNorAProtectedFile)
+{
+    const TemporaryFolder folder;
+    const std::string a = folder / "a.knotspan";
+    ASSERT_EQ(runProgram({"sample", "sphere", "-o", a}).exitCode, 0);
+    const std::string before = readFile(a);
+    expectFailure({"convert", a, a}, a);
+    fs::create_symlink(a, folder / "link.obj");
+    expectFailure({"convert", a, folder / "link.obj"}, folder / "link.obj");
+    expectFailure({"convert", a, "--to", "knotspan", "-d", folder / ""}, a);
+    EXPECT_EQ(readFile(a), before);
+
+    const std::string kept = folder / "kept.obj";
+    writeFile(kept, "mine");
+    fs::permissions(kept, fs::perms::owner_read);
+    expectFailure({"convert", a, kept}, kept);
+    EXPECT_EQ(readFile(kept), "mine");
+}
+
+// In their report as well as on standard error.
+TEST(ConvertCommand, SaysWhatItLeftOut)
+{
+    const TemporaryFolder folder;
+    Scene scene = findSample("nine-16")->make();
+    const auto [id, object] = *scene.objects().begin();
+    auto hidden = std::make_shared<SceneObject>(*object);
+    hidden->visible = false;
+    scene.exchange(id, hidden);
+    scene.setUnits("m");
+    ASSERT_TRUE(formats::write(scene, folder / "a.knotspan"));
+    const ProgramRun mesh =
+        runProgram({"convert", folder / "a.knotspan", folder / "a.stl", "--verify", "--json"});
+    ASSERT_EQ(mesh.exitCode, 0) << mesh.messages;
+    for (const std::string& said : {mesh.messages, mesh.output}) {
+        EXPECT_NE(said.find("1 hidden object is not in the mesh."), std::string::npos) << said;
+        EXPECT_NE(said.find("its numbers are in m."), std::string::npos) << said;
+    }
+    EXPECT_NE(mesh.output.find("\"same_mesh\":true"), std::string::npos) << mesh.output;
+    ASSERT_EQ(runProgram({"convert", folder / "a.knotspan", folder / "a.obj"}).exitCode, 0);
+    EXPECT_EQ(formats::read(folder / "a.obj")->units(), "m") << "our own files say so";
+}
+
+// 7 digits are too few for some of its surfaces.
+TEST(ConvertCommand, KeepsToTheDeviationOrRefuses)
+{
+    const TemporaryFolder folder;
+    ASSERT_EQ(runProgram({"sample", "extremes", "-o", folder / "a.knotspan"}).exitCode, 0);
+    expectFailure({"convert", folder / "a.knotspan", folder / "a.stl"}, folder / "a.stl");
+    EXPECT_FALSE(fs::exists(folder / "a.stl"));
 }
 
 TEST(ConvertCommand, StepBecomesAnEqualKnotspanFile)
@@ -57,7 +111,7 @@ TEST(ConvertCommand, WritesNothingWhereItFails)
     const std::string out = folder / "out";
     expectWrongCall({"convert", a});
     expectWrongCall({"convert", a, out + "/b.banana"});
-    expectWrongCall({"convert", a, out + "/b.step"});
+    expectWrongCall({"convert", a, out + "/b.bpt"});
     expectWrongCall({"convert", a, "--to", "knotspan"});
     expectWrongCall({"convert", a, "-d", out});
     expectWrongCall({"convert", a, a, "--to", "knotspan", "-d", out});

@@ -19,7 +19,7 @@ TEST(InfoCommand, JsonHasTheNamesOfTheContract)
     for (const auto& [name, value] : info.items())
         names.push_back(name);
     EXPECT_EQ(names, (std::vector<std::string>{"bounds", "bytes_bezier", "bytes_nurbs", "control_points",
-                                               "ksquads", "surfaces", "units"}));
+                                               "ksquads", "meshes", "surfaces", "units"}));
     const Json& surface = info.at("surfaces").at(0);
     EXPECT_EQ(surface.at("id"), 0);
     EXPECT_EQ(surface.at("degree_u"), 2);
@@ -45,6 +45,24 @@ TEST(InfoCommand, ASingleSurfaceOf100ControlPointsTakesTheBytesOfItsNetAndKnots)
     EXPECT_EQ(info.at("bytes_bezier"), 49 * 16 * 16);
 }
 
+TEST(InfoCommand, TellsOfMeshesWhetherTheyAreClosed)
+{
+    const TemporaryFolder folder;
+    writeFile(folder / "open.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 2\n3 0 1 2\n3 0 2 3\n");
+    const Json info = Json::parse(runProgram({"info", folder / "open.off", "--json"}).output);
+    EXPECT_EQ(info.at("surfaces").size(), 0U);
+    EXPECT_EQ(info.at("bounds").at("high"), (std::vector<double>{1, 1, 2}));
+    EXPECT_EQ(info.at("meshes"), Json::array({Json{{"id", 0},
+                                                   {"name", "open"},
+                                                   {"vertices", 4},
+                                                   {"triangles", 2},
+                                                   {"boundary_edges", 4},
+                                                   {"non_manifold_edges", 0},
+                                                   {"closed", false}}}));
+    const ProgramRun run = runProgram({"info", folder / "open.off"});
+    EXPECT_EQ(run.output.rfind("1 mesh\nbounds (0, 0, 0) to (1, 1, 2) mm\n", 0), 0U) << run.output;
+}
+
 TEST(InfoCommand, SaysTheSameForPeople)
 {
     const TemporaryFolder folder;
@@ -59,5 +77,14 @@ TEST(InfoCommand, CountsTheFacesOfARealStepFile)
     KNOTSPAN_NEED_MODELS(models);
     const ProgramRun run = runProgram({"info", *models / "screw.step", "--json"});
     ASSERT_EQ(run.exitCode, 0) << run.messages;
-    EXPECT_EQ(Json::parse(run.output).at("surfaces").size(), 10U);
+    const Json info = Json::parse(run.output);
+    EXPECT_EQ(info.at("surfaces").size(), 10U);
+    const Json& import = info.at("import");
+    EXPECT_EQ(import.at("faces"), 10);
+    EXPECT_EQ(import.at("exact"), 10);
+    EXPECT_GT(import.at("seconds").get<double>(), 0);
+    EXPECT_GT(import.at("peak_mb").get<double>(), 1);
+    EXPECT_LT(import.at("peak_mb").get<double>(), 1000);
+    EXPECT_NE(runProgram({"info", *models / "screw.step"}).output.find(" MiB of memory\n"),
+              std::string::npos);
 }

@@ -138,7 +138,7 @@ TEST_F(MeasureCommand, RefusesWhatCannotBeMeasuredOrWritten)
     for (Json& object : hidden.at("objects"))
         object["visible"] = false;
     writeFile(*folder / "hidden.knotspan", hidden.dump());
-    expectFailure({"measure", *folder / "hidden.knotspan"}, "nothing to measure");
+    expectFailure({"measure", *folder / "hidden.knotspan"}, "no surface to measure");
     expectFailure({"measure", model, "--plot", *folder / "absent/plot.svg"}, "absent/plot.svg");
     expectFailure({"measure", model, "--points", "1", "--device", "200"}, "200");
     for (const char* wrong : {"0", "-1", "0.5", "1e99", "nan", "many", ""})

@@ -12,9 +12,10 @@
 namespace knotspan::testing {
 namespace {
 
-[[noreturn]] void becomeProgram(std::vector<char*> argv, const std::string& output,
+[[noreturn]] void becomeProgram(std::vector<char*> argv, const std::string& input, const std::string& output,
                                 const std::string& messages)
 {
+    ::dup2(::open(input.c_str(), O_RDONLY), STDIN_FILENO);
     ::dup2(::open(output.c_str(), O_WRONLY | O_CREAT, 0600), STDOUT_FILENO);
     ::dup2(::open(messages.c_str(), O_WRONLY | O_CREAT, 0600), STDERR_FILENO);
     for (const char* display : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
@@ -40,7 +41,7 @@ std::string callOf(const std::vector<std::string>& arguments)
 
 }  // namespace
 
-ProgramRun runProgram(const std::vector<std::string>& arguments)
+ProgramRun runProgram(const std::vector<std::string>& arguments, const std::string& input)
 {
     const TemporaryFolder folder;
     const std::string output = (folder / "output").string();
@@ -53,7 +54,7 @@ ProgramRun runProgram(const std::vector<std::string>& arguments)
     argv.push_back(nullptr);
     const pid_t child = ::fork();
     if (child == 0)
-        becomeProgram(std::move(argv), output, messages);
+        becomeProgram(std::move(argv), input, output, messages);
     int status = 0;
     ::waitpid(child, &status, 0);
     const int exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);

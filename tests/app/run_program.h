@@ -12,8 +12,9 @@ struct ProgramRun {
     std::string messages;  // standard error
 };
 
-// Without a display: a command that needs one fails.
-[[nodiscard]] ProgramRun runProgram(const std::vector<std::string>& arguments);
+// Without a display: a command that needs one fails. `input`: a file for standard input.
+[[nodiscard]] ProgramRun runProgram(const std::vector<std::string>& arguments,
+                                    const std::string& input = "/dev/null");
 
 // Exit code 2, nothing on standard output, one line of message.
 void expectWrongCall(const std::vector<std::string>& arguments);

@@ -47,7 +47,7 @@ TEST(IncludeRules, HoldTheOrderInsideModel)
     EXPECT_TRUE(allows("model/document/document.cpp", "model/formats/format_list.h"));
     EXPECT_FALSE(allows("model/core/space.h", "model/geometry/basis.h"));
     EXPECT_FALSE(allows("model/geometry/basis.h", "model/scene/scene.h"));
-    EXPECT_FALSE(allows("model/scene/scene.cpp", "model/formats/format.h"));
+    EXPECT_FALSE(allows("model/scene/scene.cpp", "model/files/format.h"));
     EXPECT_FALSE(allows("model/formats/step.cpp", "model/document/document.h"));
     EXPECT_FALSE(allows("model/formats/step.cpp", "model/samples/sample_list.h"));
 }
@@ -92,7 +92,7 @@ TEST(IncludeRules, KeepEachLibraryInItsFolders)
 {
     EXPECT_TRUE(allows("ui/actions.h", "QAction"));
     EXPECT_TRUE(allows("model/document/document.h", "QtCore/QObject"));
-    EXPECT_TRUE(allows("model/formats/step.cpp", "STEPControl_Reader.hxx"));
+    EXPECT_TRUE(allows("model/cad/step.cpp", "STEPControl_Reader.hxx"));
     EXPECT_TRUE(allows("app/main.cpp", "CLI/CLI.hpp"));
     EXPECT_FALSE(allows("model/scene/scene.h", "QString"));
     EXPECT_FALSE(allows("renderer/renderer.h", "QImage"));

@@ -12,4 +12,14 @@ std::string readObj(std::string_view text);
 std::string readBpt(std::string_view text);
 std::string readKnotspan(std::string_view text);
 
+// The same with the text as the list of trim loops of a .knotspan file's one surface; and, where it is none,
+// as the trimming curves of an OBJ file's. What becomes a curve has points wherever it is asked.
+std::string readTrimLoops(std::string_view text);
+
+// Meshes: what was read has finite vertices, and triangles of three different ones of them.
+std::string readStl(std::string_view text);
+std::string readPly(std::string_view text);
+std::string readOff(std::string_view text);
+std::string readGltf(std::string_view text);
+
 }  // namespace knotspan::fuzz

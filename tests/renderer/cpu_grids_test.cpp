@@ -26,7 +26,7 @@ std::vector<PlacedSurface> placed(const std::vector<Resident>& residents)
 struct Drawing {
     explicit Drawing(Scene drawnScene, double tolerance = 0.5)
         : scene(std::move(drawnScene)),
-          camera(*namedView("iso", scene.controlPoints(), 4.0 / 3.0, false)),
+          camera(*namedView("iso", scene.hullPoints(), 4.0 / 3.0, false)),
           tolerancePx(tolerance),
           residents(makeResidents(visibleObjects(scene))),
           edges(placed(residents))

@@ -60,7 +60,7 @@ TEST_P(PickedPlaces, LieOnTheSurfaceToThePicturesTolerance)
     scene.add(turned);
     for (const bool orthographic : {false, true}) {
         Frame frame = frameOf(scene, GetParam(), 200, 150);
-        frame.camera = namedView("iso", scene.controlPoints(), 200.0 / 150, orthographic).value();
+        frame.camera = namedView("iso", scene.hullPoints(), 200.0 / 150, orthographic).value();
         frame.tolerancePx = 0.5;
         (void)drawn(*sharedRenderer(), scene, frame);
         const KsQuadIndices shown = sharedRenderer()->captureKsQuads().value();

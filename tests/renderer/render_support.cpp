@@ -48,7 +48,7 @@ Frame frameOf(const Scene& scene, PathId path, int width, int height, std::strin
     frame.width = width;
     frame.height = height;
     frame.path = path;
-    frame.camera = namedView(view, scene.controlPoints(), static_cast<double>(width) / height, false).value();
+    frame.camera = namedView(view, scene.hullPoints(), static_cast<double>(width) / height, false).value();
     return frame;
 }
 

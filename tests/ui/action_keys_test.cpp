@@ -40,9 +40,9 @@ TEST(ActionKeys, EachTriggersItsAction)
     const auto window = shownWindow(answers, "nine-16");
     KNOTSPAN_NEED_RENDERER(*window);
     // One closes the window, one draws for a minute; the others wait for a state of their own.
-    const std::set<std::string> left{"file.quit",      "view.speed",     "edit.redo",
-                                     "edit.undo",      "object.showAll", "object.unlockAll",
-                                     "view.moreCells", "view.fewerCells"};
+    const std::set<std::string> left{"file.quit",      "view.speed",      "edit.redo",
+                                     "edit.undo",      "object.showAll",  "object.unlockAll",
+                                     "view.moreCells", "view.fewerCells", "file.reload"};
     int pressed = 0;
     for (const ActionInfo& info : actionList()) {
         if (left.count(info.id) != 0)

@@ -94,6 +94,28 @@ TEST(MainWindow, SaysThatTrimmedFacesAreShownWhole)
     EXPECT_TRUE(window.message().contains("Trimmed faces are shown whole"));
 }
 
+TEST(MainWindow, SaysThatMeshesAreNotInAFileOfSurfaces)
+{
+    const TemporaryFolder folder;
+    Answers answers;
+    MainWindow window(answering(answers));
+    Scene scene = findSample("nine-16")->make();
+    scene.addMesh(meshObject("scan", {{{0, 0, 0}, {4, 0, 0}, {0, 0, 2}}, {{0, 1, 2}}}));
+    window.document().reset(scene, "nine");
+    Edit edit;
+    edit.set(scene.objects().begin()->first, nullptr);
+    window.document().apply(edit, "delete");
+    answers.fileToSave = QString::fromStdString((folder / "it.obj").string());
+    ASSERT_TRUE(window.files().saveAs());
+    EXPECT_TRUE(window.message().contains("the meshes are not in it.obj")) << window.message().toStdString();
+    EXPECT_TRUE(window.document().isModified()) << "the meshes are in no file";
+    answers.fileToSave = QString::fromStdString((folder / "it.knotspan").string());
+    ASSERT_TRUE(window.files().saveAs());
+    EXPECT_TRUE(window.message().isEmpty());
+    EXPECT_FALSE(window.document().isModified());
+    EXPECT_EQ(formats::read(folder / "it.knotspan").value().meshes().size(), 1U);
+}
+
 TEST(MainWindow, ASmallWindowKeepsAPicture)
 {
     Answers answers;

@@ -26,10 +26,14 @@ Questions answering(Answers& answers)
         ++answers.askedToSave;
         return answers.saveChanges;
     };
+    questions.overwrite = [&answers](QWidget*, const QString&) {
+        ++answers.askedToOverwrite;
+        return answers.overwrite;
+    };
     questions.filesToOpen = [&answers](QWidget*, const QString&, const QStringList&) {
         return answers.filesToOpen;
     };
-    questions.fileToSave = [&answers](QWidget*, const QString&, const QStringList&) {
+    questions.fileToSave = [&answers](QWidget*, const QString&, const QString&, const QStringList&) {
         return answers.fileToSave;
     };
     return questions;

@@ -20,6 +20,8 @@ struct Answers {
     QStringList filesToOpen;
     QString fileToSave;
     int askedToSave = 0;
+    bool overwrite = true;
+    int askedToOverwrite = 0;
 };
 
 [[nodiscard]] Questions answering(Answers& answers);

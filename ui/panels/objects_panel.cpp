@@ -27,21 +27,21 @@ void ObjectsPanel::choose()
 {
     if (following_)
         return;
-    std::set<ObjectId> chosen;
+    std::set<ObjectId> objects;
+    std::set<ObjectId> meshes;
     for (const QModelIndex& index : selectionModel()->selectedIndexes())
-        chosen.insert(list_->idAt(index.row()));
-    selection_.setObjects(std::move(chosen));
+        (list_->isMesh(index.row()) ? meshes : objects).insert(list_->idAt(index.row()));
+    selection_.setObjects(std::move(objects), std::move(meshes));
 }
 
 void ObjectsPanel::showChosen()
 {
     const QScopedValueRollback<bool> guard(following_, true);
     QItemSelection rows;
-    for (const ObjectId id : selection_.objects()) {
-        const int row = list_->rowOf(id);
-        if (row >= 0)
-            rows.select(list_->index(row), list_->index(row));
-    }
+    for (const std::set<ObjectId>* ids : {&selection_.objects(), &selection_.meshes()})
+        for (const ObjectId id : *ids)
+            if (const int row = list_->rowOf(id); row >= 0)
+                rows.select(list_->index(row), list_->index(row));
     selectionModel()->select(rows, QItemSelectionModel::ClearAndSelect);
     if (rows.size() == 1 && !hasFocus())
         scrollTo(rows.first().topLeft());

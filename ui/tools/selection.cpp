@@ -21,11 +21,12 @@ bool isIn(const Scene& scene, const PickedControlPoint& point)
 
 }  // namespace
 
-void Selection::setObjects(std::set<ObjectId> objects)
+void Selection::setObjects(std::set<ObjectId> objects, std::set<ObjectId> meshes)
 {
-    if (objects == objects_)
+    if (objects == objects_ && meshes == meshes_)
         return;
     objects_ = std::move(objects);
+    meshes_ = std::move(meshes);
     PointSelection others;
     for (const auto& [id, chosen] : points_.objects())
         if (!contains(id))
@@ -64,9 +65,10 @@ void Selection::setHoveredObject(std::optional<ObjectId> object)
 
 void Selection::clear()
 {
-    if (objects_.empty() && !hovered_ && !hoveredObject_)
+    if (objects_.empty() && meshes_.empty() && !hovered_ && !hoveredObject_)
         return;
     objects_.clear();
+    meshes_.clear();
     points_ = {};
     hovered_.reset();
     hoveredObject_.reset();
@@ -88,8 +90,12 @@ void Selection::keepOnly(const Scene& scene)
         setHovered({});
     if (hoveredObject_ && !scene.find(*hoveredObject_))
         setHoveredObject({});
+    std::set<ObjectId> meshes;
+    for (const ObjectId id : meshes_)
+        if (scene.meshes().count(id) != 0)
+            meshes.insert(id);
     setPoints(std::move(points));
-    setObjects(std::move(kept));
+    setObjects(std::move(kept), std::move(meshes));
 }
 
 }  // namespace knotspan

@@ -20,12 +20,15 @@ public:
 
     [[nodiscard]] const std::set<ObjectId>& objects() const { return objects_; }
     [[nodiscard]] bool contains(ObjectId id) const { return objects_.count(id) != 0; }
+    // Of the scene's meshes, which no tool takes.
+    [[nodiscard]] const std::set<ObjectId>& meshes() const { return meshes_; }
     [[nodiscard]] const PointSelection& points() const { return points_; }
     // At most one of the two.
     [[nodiscard]] const std::optional<PickedControlPoint>& hovered() const { return hovered_; }
     [[nodiscard]] const std::optional<ObjectId>& hoveredObject() const { return hoveredObject_; }
 
-    void setObjects(std::set<ObjectId> objects);  // points of others are let go
+    // Points of other objects are let go.
+    void setObjects(std::set<ObjectId> objects, std::set<ObjectId> meshes = {});
     // Their objects become selected too.
     void setPoints(PointSelection points);
     void setHovered(const std::optional<PickedControlPoint>& point);
@@ -41,6 +44,7 @@ Q_SIGNALS:
 
 private:
     std::set<ObjectId> objects_;
+    std::set<ObjectId> meshes_;
     PointSelection points_;
     std::optional<PickedControlPoint> hovered_;
     std::optional<ObjectId> hoveredObject_;

@@ -147,14 +147,14 @@ void Viewport::setCamera(const Camera& camera)
 void Viewport::look(std::string_view view)
 {
     const Camera& camera = frame_.camera;
-    if (const auto named = namedView(view, document_.scene().controlPoints(), pictureSize().aspect(),
+    if (const auto named = namedView(view, document_.scene().hullPoints(), pictureSize().aspect(),
                                      camera.orthographic, camera.verticalFovDegrees))
         setCamera(*named);
 }
 
 void Viewport::fit()
 {
-    setCamera(fitted(frame_.camera, document_.scene().controlPoints(), pictureSize().aspect()));
+    setCamera(fitted(frame_.camera, document_.scene().hullPoints(), pictureSize().aspect()));
 }
 
 void Viewport::fitSelection()
@@ -163,8 +163,12 @@ void Viewport::fitSelection()
     for (const ObjectId id : selection_.objects())
         if (const SharedObject object = document_.scene().find(id))
             selected.exchange(id, object);
-    const Scene& shown = selected.objects().empty() ? document_.scene() : selected;
-    setCamera(fitted(frame_.camera, shown.controlPoints(), pictureSize().aspect()));
+    for (const ObjectId id : selection_.meshes())
+        if (const auto mesh = document_.scene().meshes().find(id); mesh != document_.scene().meshes().end())
+            selected.exchangeMesh(id, mesh->second);
+    const bool nothing = selected.objects().empty() && selected.meshes().empty();
+    const Scene& shown = nothing ? document_.scene() : selected;
+    setCamera(fitted(frame_.camera, shown.hullPoints(), pictureSize().aspect()));
 }
 
 void Viewport::setFriends(ShownFriends& friends)

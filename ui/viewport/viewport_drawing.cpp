@@ -127,6 +127,8 @@ void Viewport::addSelectionTo(Overlays& overlays) const
         if (const SharedObject object = document_.scene().find(id); object && object->visible)
             overlays.netsOf.push_back(id);
     overlays.highlighted = overlays.netsOf;
+    overlays.highlighted.insert(overlays.highlighted.end(), selection_.meshes().begin(),
+                                selection_.meshes().end());
     overlays.marks.clear();
     const auto& hovered = selection_.hovered();
     for (const auto& [id, chosen] : selection_.points().objects())

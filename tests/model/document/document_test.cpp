@@ -249,6 +249,7 @@ TEST(Document, AddingAFileIsOneStepAndScalesItsUnits)
     const testing::TemporaryFolder folder;
     Scene metres = sample("nine-16");
     metres.setUnits("m");
+    metres.addMesh(meshObject("scan", {{{0, 0, 0}, {4, 0, 0}, {0, 0, 2}}, {{0, 1, 2}}}));
     Document writer;
     writer.reset(metres, "metres");
     ASSERT_TRUE(writer.saveAs(folder / "metres.knotspan").has_value());
@@ -263,9 +264,12 @@ TEST(Document, AddingAFileIsOneStepAndScalesItsUnits)
     const double before = metres.objects().rbegin()->second->bounds().diagonal();
     const double after = document.scene().objects().rbegin()->second->bounds().diagonal();
     EXPECT_NEAR(after / before, 1000, 1e-9);
+    ASSERT_EQ(document.scene().meshes().size(), 1U);
+    EXPECT_EQ(document.scene().meshes().begin()->second->bounds().high, Vec3(4000, 0, 2000));
     EXPECT_EQ(document.undoStack().count(), 1);
     document.undo();
     EXPECT_EQ(document.scene().objects().size(), 1U);
+    EXPECT_TRUE(document.scene().meshes().empty());
 }
 
 TEST(Document, SignalsTellOfEachChangeOnce)

@@ -26,6 +26,45 @@ TEST(ObjectList, FollowsTheScene)
     EXPECT_EQ(list.rowCount(), 9);
 }
 
+MeshObject triangle(const std::string& name)
+{
+    return meshObject(name, {{{0, 0, 0}, {4, 0, 0}, {0, 0, 2}}, {{0, 1, 2}}});
+}
+
+TEST(ObjectList, ShowsMeshesBehindTheObjects)
+{
+    Document document;
+    ObjectList list(document);
+    Scene scene = findSample("nine-16")->make();
+    const ObjectId mesh = scene.addMesh(triangle("scan"));
+    const ObjectId later = scene.add(*scene.objects().begin()->second);
+    document.reset(scene, "nine");
+    ASSERT_EQ(list.rowCount(), 11);
+    EXPECT_EQ(list.rowOf(mesh), 10);
+    EXPECT_EQ(list.rowOf(later), 9);
+    EXPECT_TRUE(list.isMesh(10));
+    EXPECT_FALSE(list.isMesh(9));
+    const QModelIndex row = list.index(10);
+    EXPECT_EQ(list.data(row, Qt::DisplayRole).toString(), "scan (mesh)");
+    EXPECT_TRUE(list.data(row, Qt::ToolTipRole).toString().contains("1 triangles"));
+    EXPECT_TRUE(list.setData(row, Qt::Unchecked, Qt::CheckStateRole));
+    EXPECT_FALSE(document.scene().meshes().at(mesh)->visible);
+    EXPECT_TRUE(list.setData(row, "older", Qt::EditRole));
+    EXPECT_EQ(list.data(row, Qt::EditRole).toString(), "older");
+    document.undo();
+    document.undo();
+    EXPECT_EQ(list.data(row, Qt::EditRole).toString(), "scan");
+    EXPECT_EQ(list.data(row, Qt::CheckStateRole).toInt(), static_cast<int>(Qt::Checked));
+
+    Edit edit;
+    edit.setMesh(mesh, nullptr);
+    document.apply(edit, "delete");
+    EXPECT_EQ(list.rowCount(), 10);
+    EXPECT_EQ(list.rowOf(mesh), -1);
+    document.undo();
+    EXPECT_EQ(list.rowOf(mesh), 10);
+}
+
 TEST(ObjectList, HidingAndRenamingAreStepsThatCanBeUndone)
 {
     Document document;

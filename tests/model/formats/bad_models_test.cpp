@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "model/files/json_parsing.h"
 #include "model/formats/format_list.h"
-#include "model/formats/knotspan_json.h"
 #include "model/samples/sample_list.h"
 #include "tests/support.h"
 

@@ -11,8 +11,8 @@
 #include <gp_Trsf.hxx>
 #include <gtest/gtest.h>
 
-#include "model/formats/brep_format.h"
-#include "model/formats/iges_format.h"
+#include "model/cad/brep_format.h"
+#include "model/cad/iges_format.h"
 #include "tests/model/formats/step_solids.h"
 #include "tests/support.h"
 

@@ -13,9 +13,9 @@
 #include <IGESControl_Writer.hxx>
 #include <gtest/gtest.h>
 
-#include "model/formats/brep_format.h"
+#include "model/cad/brep_format.h"
+#include "model/cad/iges_format.h"
 #include "model/formats/format_list.h"
-#include "model/formats/iges_format.h"
 #include "tests/model/formats/import_scripts.h"
 #include "tests/model/formats/real_importer.h"
 #include "tests/model/formats/step_solids.h"
@@ -53,6 +53,11 @@ void expectSame(const Result<formats::Import>& apart, const Result<formats::Impo
     EXPECT_EQ(apart->report.approximationError, here->report.approximationError);
     EXPECT_EQ(apart->report.refusals.size(), here->report.refusals.size());
     EXPECT_EQ(apart->report.fileUnits, here->report.fileUnits);
+    EXPECT_GT(apart->report.seconds, 0);
+    EXPECT_GT(here->report.seconds, 0);
+    EXPECT_GT(apart->report.peakBytes, 1U << 20);  // of a process that did something
+    EXPECT_LT(apart->report.peakBytes, std::uint64_t{4} << 30);
+    EXPECT_EQ(here->report.peakBytes, 0U);
 }
 
 // Through formats::readWithNotes, in the other process and in this one.

@@ -1,4 +1,4 @@
-#include "model/formats/mesh_files.h"
+#include "model/mesh_files/mesh_files.h"
 
 #include <sstream>
 
@@ -23,6 +23,8 @@ TEST(MeshFiles, OpenInAnotherProgramAsTheClosedManifoldTheyAre)
     const testing::TemporaryFolder folder;
     const TriangleMesh mesh = torusMesh();
     for (const MeshFormat& format : meshFormats()) {
+        if (format.kind == MeshKind::vtp || format.kind == MeshKind::glb)  // VTK reads those, below
+            continue;
         const auto path = folder / ("torus." + format.extension);
         ASSERT_TRUE(writeMesh(path, mesh, format.kind)) << format.name;
         const testing::HalfEdgeFigures read = testing::halfEdgesOf(path);

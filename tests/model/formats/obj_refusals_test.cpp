@@ -117,14 +117,15 @@ TEST(ObjRefusals, SayWhyASurfaceIsNone)
                               "extreme to cut it");
 }
 
-TEST(ObjRefusals, SayWhatIsInAFileWithoutSurfaces)
+TEST(ObjRefusals, SayWhatIsInAFileWithoutAModel)
 {
-    EXPECT_EQ(refusal(""), "The file holds no free-form surfaces. Choose another file.");
-    EXPECT_EQ(refusal(polygon("0 0 1 1")), "The file holds no free-form surfaces. Choose another file.");
-    EXPECT_EQ(
-        refusal("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 3\n"),
-        "The file holds a mesh, no free-form surfaces: 2 polygons of meshes were found. Choose a file with "
-        "free-form surfaces.");
+    const std::string nothing = "The file holds neither free-form surfaces nor polygons. Choose another file.";
+    EXPECT_EQ(refusal(""), nothing);
+    EXPECT_EQ(refusal(polygon("0 0 1 1")), nothing);
+    EXPECT_EQ(refusal("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\n"),
+              std::string("line 4: A polygon has fewer than three corners") + kAgain);
+    EXPECT_EQ(refusal("v 0 0 0\nv 1 0 0\nf 1 2 3\n"),
+              std::string("line 3: There is no vertex 3: up to here there are 2") + kAgain);
 }
 
 TEST(ObjRefusals, EndFilesThatWouldExhaustMemory)

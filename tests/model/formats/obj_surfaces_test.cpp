@@ -160,13 +160,14 @@ TEST(ObjSurfaces, StandBesideWhatIsLeftOutAndNoted)
         "deg 16 1\nsurf 0 1 0 1 1 2 3 4 5 6\nparm u 0 1\nparm v 0 1\nend\n");
     ASSERT_TRUE(import) << import.error().sentence();
     EXPECT_EQ(import->scene.objects().size(), 2u);
+    ASSERT_EQ(import->scene.meshes().size(), 1u);
+    EXPECT_EQ(import->scene.meshes().begin()->second->mesh->triangles.size(), 3u);
     EXPECT_EQ(
         import->notes,
         (std::vector<std::string>{
             "1 of 3 surfaces was left out; the first reason is: line 35: Its degree (deg) along u is not "
             "from 1 to 15.",
-            "2 polygons of meshes were left out.", "1 line or point of a mesh was left out.",
-            "1 curve in space was left out.", "2 statements about special curves and points were left out.",
+            "1 line or point of a mesh was left out.", "1 curve in space was left out.", "2 statements about special curves and points were left out.",
             "1 statement about connected edges was left out."}));
 }
 

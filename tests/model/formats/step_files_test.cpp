@@ -6,7 +6,7 @@
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <gtest/gtest.h>
 
-#include "model/formats/step_format.h"
+#include "model/cad/step_format.h"
 #include "tests/model/formats/step_solids.h"
 #include "tests/support.h"
 

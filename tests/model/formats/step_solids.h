@@ -3,7 +3,7 @@
 
 #include <TopoDS_Shape.hxx>
 
-#include "model/formats/step_format.h"
+#include "model/cad/step_format.h"
 
 namespace knotspan::testing {
 

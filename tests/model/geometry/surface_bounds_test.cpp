@@ -1,5 +1,9 @@
 #include "model/analysis/surface_bounds.h"
 
+#include <chrono>
+#include <cmath>
+#include <functional>
+
 #include <gtest/gtest.h>
 
 #include "model/geometry/evaluation.h"
@@ -49,6 +53,67 @@ TEST(SurfaceBounds, HoldThePointsOfASurfaceAndLieInsideItsNet)
             EXPECT_GE(box.low[axis], surface.bounds().low[axis] - slack);
             EXPECT_LE(box.high[axis], surface.bounds().high[axis] + slack);
         }
+    }
+}
+
+// A bicubic sheet of points x, y at unit distance, with heights by a function of them.
+NurbsSurface sheet(int spans, const std::function<double(int, int)>& height)
+{
+    const KnotVector knots = KnotVector::clampedUniform(3, spans);
+    std::vector<ControlPoint> points;
+    for (int i = 0; i < spans + 3; ++i)
+        for (int j = 0; j < spans + 3; ++j)
+            points.push_back({{i, j, height(i, j)}, 1.0});
+    return *NurbsSurface::create(knots, knots, points);
+}
+
+TEST(SurfaceBounds, OfManyKsQuadsAreTheSameAsOfAllTheirPoints)
+{
+    std::mt19937 random(5);
+    const NurbsSurface surface = sheet(40, [&](int, int) { return randomBetween(random, -1, 1); });
+    const Box box = surfaceBounds(surface, Mat4(1.0));
+    Box dense;
+    constexpr int kPoints = 40 * 16;
+    for (int i = 0; i <= kPoints; ++i)
+        for (int j = 0; j <= kPoints; ++j)
+            dense.add(evaluate(surface, double(i) / kPoints, double(j) / kPoints).position);
+    for (int axis = 0; axis < 3; ++axis) {
+        EXPECT_LE(box.low[axis], dense.low[axis] + 1e-9);
+        EXPECT_GE(box.high[axis], dense.high[axis] - 1e-9);
+    }
+    EXPECT_LT(box.high.z - dense.high.z, 0.01);  // the dense points come that near
+    EXPECT_LT(dense.low.z - box.low.z, 0.01);
+}
+
+TEST(SurfaceBounds, OfSpansOfVeryDifferentLengthsAreFoundAtOnce)
+{
+    // Both spans have the highest control point, and the top is in the long one.
+    const KnotVector uneven = *KnotVector::create(3, {0, 0, 0, 0, 1e-9, 1, 1, 1, 1});
+    const KnotVector even = KnotVector::clampedUniform(1, 1);
+    std::vector<ControlPoint> points;
+    for (int i = 0; i < 5; ++i)
+        for (int j = 0; j < 2; ++j)
+            points.push_back({{i, j, i == 3 ? 1.0 : 0.0}, 1.0});
+    const NurbsSurface surface = *NurbsSurface::create(uneven, even, points);
+    const Box box = surfaceBounds(surface, Mat4(1.0));
+    EXPECT_NEAR(box.high.z, 4.0 / 9, 1e-8);  // of 3 t^2 (1 - t), at t = 2/3
+    EXPECT_NEAR(box.low.z, 0, 1e-12);
+}
+
+TEST(SurfaceBounds, OfAHundredThousandKsQuadsTakeLessThanASecond)
+{
+    constexpr int kSpans = 314;
+    const auto wave = [](int i, int j) { return 20 * std::sin(0.03 * i) * std::cos(0.02 * j + 0.01 * i); };
+    const auto ridge = [](int i, int j) { return -1e-3 * (i - j) * (i - j); };
+    const auto flat = [](int i, int j) { return 0.25 * i - 0.5 * j; };
+    const std::function<double(int, int)> heights[] = {wave, ridge, flat};
+    for (const auto& height : heights) {
+        const NurbsSurface surface = sheet(kSpans, height);
+        const auto start = std::chrono::steady_clock::now();
+        const Box box = surfaceBounds(surface, Mat4(1.0));
+        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+        EXPECT_LT(took.count(), 1);  // measured: 0.03
+        EXPECT_NEAR(box.high.x, kSpans + 2, 1e-6);
     }
 }
 

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "model/mesh/triangle_mesh.h"
+#include "model/geometry/triangle_mesh.h"
 
 namespace knotspan::testing {
 

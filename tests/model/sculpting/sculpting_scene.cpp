@@ -59,8 +59,8 @@ Vec3 placeIn(const Scene& scene, ObjectId object, int i, int j)
 
 double largestDifference(const Scene& a, const Scene& b)
 {
-    const std::vector<Vec3> left = a.controlPoints();
-    const std::vector<Vec3> right = b.controlPoints();
+    const std::vector<Vec3> left = a.hullPoints();
+    const std::vector<Vec3> right = b.hullPoints();
     if (left.size() != right.size())
         return std::numeric_limits<double>::infinity();
     double largest = 0;
