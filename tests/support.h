@@ -8,6 +8,10 @@
 
 namespace knotspan::testing {
 
+// Seconds. What is to take a moment and takes longer hangs: busy machines make things ten times slower, not a
+// thousand times.
+inline constexpr int kHang = 60;
+
 // The folder with the real models: KNOTSPAN_MODELS, or `models` in the folder `shared` beside the checkout.
 // Nothing where it is absent: tests then skip with a message, by KNOTSPAN_NEED_MODELS(folder).
 [[nodiscard]] std::optional<std::filesystem::path> modelsFolder();

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <fstream>
 #include <new>
+#include <set>
 #include <string>
 
 #include <fcntl.h>
@@ -37,7 +38,7 @@ void send(int output, const std::string& line)
     }
 }
 
-// Thousands of faces a second are told of twenty times a second.
+// Thousands of faces a second are told of twenty times a second, and each kind of work once at least.
 class ToldProgress {
 public:
     explicit ToldProgress(int output) : output_(output) {}
@@ -46,7 +47,8 @@ public:
     {
         using std::chrono::steady_clock;
         const auto now = steady_clock::now();
-        if (now - last_ < std::chrono::milliseconds(50))
+        const bool isNew = told_.insert(stage.substr(0, stage.find_first_of("0123456789"))).second;
+        if (!isNew && now - last_ < std::chrono::milliseconds(50))
             return;
         last_ = now;
         send(output_, progressLine(stage, done));
@@ -55,6 +57,7 @@ public:
 private:
     int output_;
     std::chrono::steady_clock::time_point last_{};
+    std::set<std::string> told_;  // kinds of work: stages without what they count
 };
 
 // The most memory it has had in use so far. Not getrusage(): that counts what the parent had at the fork.

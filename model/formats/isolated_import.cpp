@@ -109,9 +109,13 @@ private:
     // It closed its output without a last line.
     [[nodiscard]] Error whyItEnded()
     {
-        const auto latest = steady_clock::now() + std::chrono::milliseconds(100);
-        while (!worker_.hasEnded() && steady_clock::now() < latest)
+        // Its output is closed a moment before it has ended; on a busy machine that is a long moment.
+        const auto latest = steady_clock::now() + std::chrono::seconds(1);
+        while (!worker_.hasEnded() && steady_clock::now() < latest) {
+            if (const auto may = mayGoOn(); !may)
+                return may.error();
             ::usleep(1000);
+        }
         const bool endedItself = worker_.hasEnded();
         const int status = worker_.end();
         const std::string again = "Export it again from the program that made it";

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support.h"
 #include "ui/panels/friends_table.h"
 #include "ui/viewport/friend_lines.h"
 
@@ -50,7 +51,7 @@ TEST(FriendsTableModel, TenThousandRowsAreSortedInATrice)
     filter.show(FriendsFilter::Show::problems);
     filter.show(FriendsFilter::Show::all);
     EXPECT_EQ(filter.rowCount(), 10000);
-    EXPECT_LT(clock.elapsed(), 2000);
+    EXPECT_LT(clock.elapsed(), 1000 * testing::kHang);
 }
 
 }  // namespace

@@ -74,7 +74,7 @@ enum class Expected { whatever, refusal };
 
 class HostileFormats : public ::testing::TestWithParam<std::string> {
 protected:
-    ~HostileFormats() override { EXPECT_EQ(childProcesses(), 0); }
+    ~HostileFormats() override { EXPECT_EQ(childProcessesLeft(), 0); }
 
     [[nodiscard]] static const formats::Format& format() { return *formats::find("file." + GetParam()); }
     [[nodiscard]] static bool isReadApart() { return format().readIsolated != nullptr; }

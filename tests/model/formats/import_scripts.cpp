@@ -1,7 +1,9 @@
 #include "tests/model/formats/import_scripts.h"
 
+#include <chrono>
 #include <fstream>
 #include <sstream>
+#include <thread>
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -28,6 +30,17 @@ ProcessState stateOf(const std::string& pid)
     return state;
 }
 
+int childProcesses()
+{
+    int count = 0;
+    for (const auto& entry : fs::directory_iterator("/proc")) {
+        const std::string name = entry.path().filename().string();
+        if (name.find_first_not_of("0123456789") == std::string::npos && stateOf(name).parent == ::getpid())
+            ++count;
+    }
+    return count;
+}
+
 }  // namespace
 
 ScriptedImporter::ScriptedImporter(const TemporaryFolder& folder, const std::string& script)
@@ -43,14 +56,13 @@ ScriptedImporter::~ScriptedImporter()
     formats::setImportWorker({});
 }
 
-int childProcesses()
+int childProcessesLeft()
 {
-    int count = 0;
-    for (const auto& entry : fs::directory_iterator("/proc")) {
-        const std::string name = entry.path().filename().string();
-        if (name.find_first_not_of("0123456789") == std::string::npos && stateOf(name).parent == ::getpid())
-            ++count;
-    }
+    // What was killed is waited for a tenth of a second by who killed it, then by a thread.
+    const auto latest = std::chrono::steady_clock::now() + std::chrono::seconds(kHang);
+    int count = childProcesses();
+    for (; count > 0 && std::chrono::steady_clock::now() < latest; count = childProcesses())
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
     return count;
 }
 

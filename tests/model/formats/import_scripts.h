@@ -18,8 +18,9 @@ public:
     ScriptedImporter& operator=(const ScriptedImporter&) = delete;
 };
 
-// Children of this process, running or dead and not waited for.
-[[nodiscard]] int childProcesses();
+// Children of this process that are still there, running or not waited for, after those that were killed had time
+// to go: 0 is what it should be.
+[[nodiscard]] int childProcessesLeft();
 
 // Whether a process of that number runs (a zombie does not).
 [[nodiscard]] bool isRunning(int pid);

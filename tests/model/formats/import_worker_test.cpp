@@ -68,7 +68,7 @@ void expectSameApart(const std::filesystem::path& path)
     const RealImporter importer;
     ASSERT_TRUE(formats::isReadApart(path));
     expectSame(formats::readWithNotes(path), here);
-    EXPECT_EQ(childProcesses(), 0);
+    EXPECT_EQ(childProcessesLeft(), 0);
 }
 
 TEST(ImportWorker, GivesWhatTheReaderGivesToTheBit)
@@ -189,9 +189,9 @@ TEST(ImportWorker, CancelActsAtOnceAtAnyTime)
         slowest = std::max(slowest, std::chrono::duration_cast<milliseconds>(ended - asked));
     }
     EXPECT_GT(stopped, 0);
-    EXPECT_LT(slowest, milliseconds(1000));  // two hundred are the promise; the machine may be busy
+    EXPECT_LT(slowest, std::chrono::seconds(kHang));  // two hundred milliseconds are the promise
     RecordProperty("slowest_ms", static_cast<int>(slowest.count()));
-    EXPECT_EQ(childProcesses(), 0);
+    EXPECT_EQ(childProcessesLeft(), 0);
 }
 
 TEST(ImportWorker, IsNotAskedForFormatsOfOurOwn)
