@@ -105,8 +105,12 @@ std::optional<Grid> smallestGrid(const ErrorFigures& figures, double tolerance, 
     check(tolerance > 0, "a tolerance is above zero");
     // No n_u makes n_v smaller than this.
     const double fewestV = std::max(1.0, std::ceil(std::sqrt(figures.c / (8 * tolerance))));
+    // And no n_v a smaller n_u.
+    const double fewestU = std::max(1.0, std::floor(std::sqrt(figures.a / (8 * tolerance))));
+    if (!(fewestU <= largest))
+        return std::nullopt;
     std::optional<Grid> best;
-    for (int u = 1; u <= largest && (!best || u * fewestV < static_cast<double>(best->cells())); ++u) {
+    for (int u = static_cast<int>(fewestU); u <= largest && (!best || u * fewestV < static_cast<double>(best->cells())); ++u) {
         const double left = 8 * tolerance - figures.a / u / u;
         if (!(left > 0))
             continue;

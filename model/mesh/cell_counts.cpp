@@ -96,7 +96,7 @@ CellCounts cellCounts(const std::vector<PlacedSurface>& surfaces, double deviati
             BezierNet net = conversion.net(quad);
             if (moved)
                 net = transformed(net, linear);
-            const SpaceError error(net);
+            SpaceError error(net);
             const auto chosen = chooseSpaceGrid(error, deviation);
             if (!chosen)
                 counts.failed.push_back(static_cast<std::uint32_t>(counts.grids.size()));

@@ -94,19 +94,43 @@ void seeFrom(const Ball& ball, bool rational, const std::vector<Vec4>& values, V
     largest = 0;
     if (values.empty())
         return;
-    Box box;
-    for (const Vec4& value : values)
-        box.add(Vec3(value) - ball.middle * value.w);
-    middle = box.centre();
+    Vec3 low(INFINITY);
+    Vec3 high(-INFINITY);
+    for (const Vec4& value : values) {
+        const Vec3 seen = rational ? Vec3(value) - ball.middle * value.w : Vec3(value);
+        low = glm::min(low, seen);
+        high = glm::max(high, seen);
+    }
+    middle = 0.5 * low + 0.5 * high;
+    if (!rational) {
+        for (const Vec4& value : values) {
+            const Vec3 off = Vec3(value) - middle;
+            spread = std::max(spread, glm::dot(off, off));
+            largest = std::max(largest, glm::dot(Vec3(value), Vec3(value)));
+        }
+        spread = std::sqrt(spread);
+        largest = std::sqrt(largest);
+        return;
+    }
     for (const Vec4& value : values) {
         const Vec3 seen = Vec3(value) - ball.middle * value.w;
-        const double doubt = rational ? ball.radius * std::abs(value.w) : 0;
+        const double doubt = ball.radius * std::abs(value.w);
         spread = std::max(spread, glm::distance(seen, middle) + doubt);
         largest = std::max(largest, glm::length(seen) + doubt);
     }
 }
 
 using Parts = std::array<std::vector<Vec4>, 7>;  // points; secondDerivatives(); secondDerivativesOfSurface()
+
+SpaceFigures figuresOfSurface(const std::vector<Vec4>* numerators, double leastWeight)
+{
+    SpaceFigures own;
+    own.divisor = leastWeight * leastWeight * leastWeight;
+    seeFrom({}, false, numerators[0], own.a, own.spread.x, own.largest.x);
+    seeFrom({}, false, numerators[1], own.b, own.spread.y, own.largest.y);
+    seeFrom({}, false, numerators[2], own.c, own.spread.z, own.largest.z);
+    return own;
+}
 
 SpaceWindow windowOf(const Parts& parts, bool rational)
 {
@@ -120,13 +144,8 @@ SpaceWindow windowOf(const Parts& parts, bool rational)
     seeFrom(ball, rational, parts[1], figures.a, figures.spread.x, figures.largest.x);
     seeFrom(ball, rational, parts[2], figures.b, figures.spread.y, figures.largest.y);
     seeFrom(ball, rational, parts[3], figures.c, figures.spread.z, figures.largest.z);
-    if (parts[4].empty())
-        return window;
-    SpaceFigures& own = window.ofSurface.emplace();
-    own.divisor = figures.divisor * figures.divisor * figures.divisor;
-    seeFrom({}, false, parts[4], own.a, own.spread.x, own.largest.x);
-    seeFrom({}, false, parts[5], own.b, own.spread.y, own.largest.y);
-    seeFrom({}, false, parts[6], own.c, own.spread.z, own.largest.z);
+    if (!parts[4].empty())
+        window.ofSurface = figuresOfSurface(parts.data() + 4, figures.divisor);
     return window;
 }
 
@@ -137,12 +156,11 @@ double sum(const Vec3& figures, const Vec3& cell)
 
 // Whether the homogeneous figures are far above what the surface's own derivatives seem to be, by its
 // projected net.
-bool slides(const BezierNet& net, const std::vector<Vec4> (&along)[3])
+bool slides(const BezierNet& net, const SpaceFigures& homogeneous)
 {
     BezierNet projected = net;
     for (Vec4& point : projected.points)
         point = Vec4(Vec3(point) / point.w, 1);
-    const SpaceWindow ours = windowOf({net.points, along[0], along[1], along[2], {}, {}, {}}, true);
     const SpaceWindow about = windowOf({projected.points,
                                         secondDerivatives(projected, 2, 0),
                                         secondDerivatives(projected, 1, 1),
@@ -151,7 +169,7 @@ bool slides(const BezierNet& net, const std::vector<Vec4> (&along)[3])
                                         {},
                                         {}},
                                        false);
-    return sum(ours.homogeneous.largest, Vec3(1)) / ours.homogeneous.divisor >
+    return sum(homogeneous.largest, Vec3(1)) / homogeneous.divisor >
            4 * sum(about.homogeneous.largest, Vec3(1));
 }
 
@@ -167,25 +185,56 @@ std::array<double, 2> stretch(int number, int count, int least)
 
 }  // namespace
 
-double SpaceFigures::errorBound(const Grid& grid) const
+namespace {
+
+Vec3 sizeOfCell(const Grid& grid)
 {
-    const Vec3 cell{1.0 / grid.u / grid.u, 1.0 / grid.u / grid.v, 1.0 / grid.v / grid.v};
+    return {1.0 / grid.u / grid.u, 1.0 / grid.u / grid.v, 1.0 / grid.v / grid.v};
+}
+
+// The largest square of what the middles alone make, over any triangle.
+double squareOfMiddles(const SpaceFigures& figures, const Vec3& cell)
+{
     // As largestOfConstant() in grid_proof.cpp, for any triangle.
-    const Vec3 alongU = a * cell.x;
-    const Vec3 mixed = b * cell.y;
-    const Vec3 alongV = c * cell.z;
+    const Vec3 alongU = figures.a * cell.x;
+    const Vec3 mixed = figures.b * cell.y;
+    const Vec3 alongV = figures.c * cell.z;
     double squared = std::max(glm::dot(alongU, alongU), glm::dot(alongV, alongV));
     for (const Vec3& twist : {mixed, -mixed})
         for (const Vec3& value :
              {alongU + 2.0 * twist + alongV, alongU + twist + alongV, alongU + twist, alongV + twist})
             squared = std::max(squared, glm::dot(value, value));
-    return std::min(std::sqrt(squared) + sum(spread, cell), sum(largest, cell)) / (8 * divisor);
+    return squared;
+}
+
+}  // namespace
+
+double SpaceFigures::errorBound(const Grid& grid) const
+{
+    const Vec3 cell = sizeOfCell(grid);
+    return std::min(std::sqrt(squareOfMiddles(*this, cell)) + sum(spread, cell), sum(largest, cell)) /
+           (8 * divisor);
+}
+
+bool SpaceFigures::isWithin(double tolerance, const Grid& grid) const
+{
+    const Vec3 cell = sizeOfCell(grid);
+    const double allowed = 8 * divisor * tolerance * (1 - 1e-14);  // roundings of errorBound()
+    if (sum(largest, cell) <= allowed)
+        return true;
+    const double left = allowed - sum(spread, cell);
+    return left >= 0 && squareOfMiddles(*this, cell) <= left * left;
 }
 
 double SpaceWindow::errorBound(const Grid& grid) const
 {
     const double bound = homogeneous.errorBound(grid);
     return ofSurface ? std::min(bound, ofSurface->errorBound(grid)) : bound;
+}
+
+bool SpaceWindow::isWithin(double tolerance, const Grid& grid) const
+{
+    return homogeneous.isWithin(tolerance, grid) || (ofSurface && ofSurface->isWithin(tolerance, grid));
 }
 
 const SpaceFigures& SpaceWindow::better() const
@@ -200,23 +249,26 @@ SpaceError::SpaceError(const BezierNet& net)
     : net_(net),
       rational_(std::any_of(net.points.begin(), net.points.end(),
                             [&](const Vec4& point) { return point.w != net.points.front().w; })),
-      along_{secondDerivatives(net, 2, 0), secondDerivatives(net, 1, 1), secondDerivatives(net, 0, 2)}
+      along_{secondDerivatives(net, 2, 0), secondDerivatives(net, 1, 1), secondDerivatives(net, 0, 2)},
+      whole_(windowOf({net.points, along_[0], along_[1], along_[2], {}, {}, {}}, rational_))
 {
-    const auto [least, most] = std::minmax_element(net.points.begin(), net.points.end(),
+}
+
+void SpaceError::considerSurface()
+{
+    const auto [least, most] = std::minmax_element(net_.points.begin(), net_.points.end(),
                                                    [](const Vec4& a, const Vec4& b) { return a.w < b.w; });
     // Where weights differ by more, products of three would be rounding.
-    if (rational_ && net.degreeU * net.degreeV <= kMostForProducts && most->w < 1000 * least->w &&
-        slides(net, along_)) {
-        BezierNet nearby = net;
-        const Ball ball = ballAround(net.points);
-        for (Vec4& point : nearby.points)
-            point -= Vec4(ball.middle * point.w, 0);
-        auto derivatives = secondDerivativesOfSurface(nearby);
-        std::move(derivatives.begin(), derivatives.end(), ofSurface_);
-    }
-    whole_ =
-        windowOf({net.points, along_[0], along_[1], along_[2], ofSurface_[0], ofSurface_[1], ofSurface_[2]},
-                 rational_);
+    if (!rational_ || net_.degreeU * net_.degreeV > kMostForProducts || most->w >= 1000 * least->w ||
+        !slides(net_, whole_.homogeneous))
+        return;
+    BezierNet nearby = net_;
+    const Ball ball = ballAround(net_.points);
+    for (Vec4& point : nearby.points)
+        point -= Vec4(ball.middle * point.w, 0);
+    auto derivatives = secondDerivativesOfSurface(nearby);
+    std::move(derivatives.begin(), derivatives.end(), ofSurface_);
+    whole_.ofSurface = figuresOfSurface(ofSurface_, whole_.homogeneous.divisor);
 }
 
 std::vector<SpaceWindow> SpaceError::windows(const Grid& least, int countU, int countV) const

@@ -28,6 +28,8 @@ struct SpaceFigures {
     double divisor = 1;  // of all the others
 
     [[nodiscard]] double errorBound(const Grid& grid) const;
+    // Whether that is at most `tolerance`; quicker.
+    [[nodiscard]] bool isWithin(double tolerance, const Grid& grid) const;
 };
 
 struct SpaceWindow {
@@ -36,6 +38,7 @@ struct SpaceWindow {
 
     // Of any triangle whose box is 1 / grid.u wide and 1 / grid.v high.
     [[nodiscard]] double errorBound(const Grid& grid) const;
+    [[nodiscard]] bool isWithin(double tolerance, const Grid& grid) const;
     // The one that is less in all.
     [[nodiscard]] const SpaceFigures& better() const;
 };
@@ -44,6 +47,10 @@ class SpaceError {
 public:
     // `net` in model units, relative to a place nearby; w > 0 everywhere. Refers to it.
     explicit SpaceError(const BezierNet& net);
+
+    // Looks for the surface's own second derivatives, too, where the homogeneous ones are far larger. That
+    // costs as much again, and many KSQuads are flat enough without.
+    void considerSurface();
 
     // The whole KSQuad.
     [[nodiscard]] const SpaceWindow& whole() const { return whole_; }
@@ -64,7 +71,7 @@ struct SpaceGrid {
 };
 // A grid of few cells within the tolerance > 0; nothing where more than `largest` cells along a side would be
 // needed.
-[[nodiscard]] std::optional<SpaceGrid> chooseSpaceGrid(const SpaceError& error, double tolerance,
+[[nodiscard]] std::optional<SpaceGrid> chooseSpaceGrid(SpaceError& error, double tolerance,
                                                        int largest = kLargestFactor);
 
 }  // namespace knotspan

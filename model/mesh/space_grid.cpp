@@ -20,7 +20,7 @@ double largestBound(const std::vector<SpaceWindow>& windows, const Grid& grid)
 bool holds(const std::vector<SpaceWindow>& windows, const Grid& grid, double tolerance)
 {
     return std::all_of(windows.begin(), windows.end(),
-                       [&](const SpaceWindow& window) { return window.errorBound(grid) <= tolerance; });
+                       [&](const SpaceWindow& window) { return window.isWithin(tolerance, grid); });
 }
 
 // No coarser than `least`: the best of some candidates of the closed form, then of their neighbours.
@@ -73,8 +73,11 @@ constexpr long kFewCells = 12;  // looking again would cost more than it saves
 
 }  // namespace
 
-std::optional<SpaceGrid> chooseSpaceGrid(const SpaceError& error, double tolerance, int largest)
+std::optional<SpaceGrid> chooseSpaceGrid(SpaceError& error, double tolerance, int largest)
 {
+    if (const double bound = error.whole().errorBound({1, 1}); bound <= tolerance)
+        return SpaceGrid{{1, 1}, bound};
+    error.considerSurface();
     std::vector<SpaceWindow> windows{error.whole()};
     std::optional<SpaceGrid> chosen;
     Grid least{1, 1};

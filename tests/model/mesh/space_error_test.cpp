@@ -92,7 +92,7 @@ TEST(SpaceError, IsNotFarAboveTheTruth)
 TEST(SpaceError, TakesTwoTrianglesForWhatIsFlat)
 {
     const BezierNet flat{1, 1, {{0, 0, 0, 1}, {0, 1, 0, 1}, {2, 0, 0, 1}, {2, 1, 0, 1}}};
-    const SpaceError error(flat);
+    SpaceError error(flat);
     const auto chosen = chooseSpaceGrid(error, 1e-12);
     ASSERT_TRUE(chosen);
     EXPECT_EQ(chosen->grid, (Grid{1, 1}));
@@ -105,7 +105,8 @@ TEST(SpaceError, TakesMoreCellsOnlyAlongWhatIsBent)
     const double w = std::sqrt(0.5);
     const BezierNet bent{
         2, 1, {{1, 0, 0, 1}, {1, 0, 9, 1}, {w, w, 0, w}, {w, w, 9 * w, w}, {0, 1, 0, 1}, {0, 1, 9, 1}}};
-    const auto chosen = chooseSpaceGrid(SpaceError(bent), 1e-4);
+    SpaceError error(bent);
+    const auto chosen = chooseSpaceGrid(error, 1e-4);
     ASSERT_TRUE(chosen);
     EXPECT_EQ(chosen->grid.v, 1);
     // An arc of 90 degrees in n chords is 1 - cos(45 degrees / n) away.
