@@ -110,7 +110,8 @@ std::optional<Grid> smallestGrid(const ErrorFigures& figures, double tolerance, 
     if (!(fewestU <= largest))
         return std::nullopt;
     std::optional<Grid> best;
-    for (int u = static_cast<int>(fewestU); u <= largest && (!best || u * fewestV < static_cast<double>(best->cells())); ++u) {
+    for (int u = static_cast<int>(fewestU);
+         u <= largest && (!best || u * fewestV < static_cast<double>(best->cells())); ++u) {
         const double left = 8 * tolerance - figures.a / u / u;
         if (!(left > 0))
             continue;
