@@ -42,6 +42,7 @@ Frame frameFor(const RenderTexts& texts, const RenderRequest& request, const Sce
     frame.evaluator = request.evaluator;
     frame.tolerancePx = texts.tolerance.value_or(frame.tolerancePx);
     frame.shading = request.shading;
+    frame.look = request.look;
     frame.overlays.controlNets = texts.net;
     frame.overlays.knotLines = texts.knots;
     if (texts.friends)

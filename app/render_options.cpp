@@ -72,6 +72,7 @@ void addRenderOptions(CLI::App& command, RenderTexts& texts)
         ->check(within(0.1, 170))
         ->type_name("DEG");
     text("--shading", texts.shading, "What colours say: " + listed(shadings()), "S");
+    addLookOptions(command, texts.look);
     command.add_flag("--net", texts.net, "Draw the control nets, too");
     command.add_flag("--knots", texts.knots, "Draw the borders of the KSQuads, too");
     command.add_flag("--friends", texts.friends,
@@ -108,6 +109,7 @@ RenderRequest parse(const RenderTexts& texts)
         request.evaluator = parseName("--evaluator", texts.evaluator, namesOf(evaluators()), findEvaluator);
     if (!texts.shading.empty())
         request.shading = parseName("--shading", texts.shading, namesOf(shadings()), findShading);
+    request.look = parseLook(texts.look, request.shading);
     if (!texts.deform.empty())
         request.deformation = parseName("--deform", texts.deform, deformationNames(), findDeformation);
     if (!texts.view.empty())

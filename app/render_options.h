@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/arguments.h"
+#include "app/look_options.h"
 #include "model/scene/deformation.h"
 #include "renderer/frame.h"
 
@@ -17,6 +18,7 @@ struct RenderTexts {
     std::string file, output, size, path, culling, sampling, evaluator, view, eye, target, up, shading,
         deform;
     std::string stats;
+    LookTexts look;
     std::optional<double> tolerance;
     double fov = 35;
     int frames = 1;
@@ -34,6 +36,7 @@ struct RenderRequest {
     SamplingRule sampling;
     Evaluator evaluator = Evaluator::automatic;
     Shading shading = Shading::shaded;
+    Look look;
     Deformation deformation = Deformation::none;
     std::optional<Vec3> eye, target, up;
 };

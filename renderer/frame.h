@@ -14,6 +14,7 @@
 #include "renderer/culling/cull_modes.h"
 #include "renderer/paths/path_list.h"
 #include "renderer/scene/camera.h"
+#include "renderer/scene/look.h"
 #include "renderer/scene/render_lists.h"
 
 namespace knotspan {
@@ -102,6 +103,7 @@ struct Frame {
     double tolerancePx = 0.5;
     Evaluator evaluator = Evaluator::automatic;  // by the largest degree that shows
     Shading shading = Shading::shaded;
+    Look look;  // what those shadings are told that have something to choose
     std::optional<Wave>
         wave;  // moves control points on the device; paths that do not draw from there stay at rest
     Overlays overlays;

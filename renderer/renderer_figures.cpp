@@ -68,6 +68,10 @@ FrameStats Renderer::Parts::statsOf(const Frame& frame, const SurfacePath& path,
     if (const std::string limit = path.limit(); !limit.empty())
         stats.pathLimit = limit;
     noteErrors(stats, counted_, frame.shading == Shading::error);
+    if (frame.shading == Shading::curvature || frame.shading == Shading::draft) {
+        stats.rampLow = frameRecord_->lookRange.x;
+        stats.rampHigh = frameRecord_->lookRange.y;
+    }
     stats.cpuMs = {cpuMs_, cpuMs_, cpuMs_};
     const double gpuMs = clock.milliseconds();
     stats.gpuMs = {gpuMs, gpuMs, gpuMs};

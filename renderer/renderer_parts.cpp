@@ -1,10 +1,6 @@
 #include "renderer/renderer_parts.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstring>
-
-#include <glm/trigonometric.hpp>
 
 #include "model/core/check.h"
 
@@ -12,27 +8,16 @@ namespace knotspan {
 
 namespace {
 
-// The area and edge rules' KSDie at a tolerance: half a pixel of tolerance gives the papers' 8 pixels.
-constexpr double kDiePxPerTolerance = 16.0;
-
-double pixelsPerUnit(const Camera& camera, int height)
+PathVariant::Fragments fragmentsFor(Shading shading)
 {
-    const double half = std::tan(glm::radians(camera.verticalFovDegrees) * 0.5);
-    return 0.5 * height / (camera.orthographic ? half * camera.distance() : half);
-}
-
-std::uint32_t ruleNumber(SamplingRule::Kind kind)
-{
-    switch (kind) {
-    case SamplingRule::Kind::area:
-    case SamplingRule::Kind::areaNoFriends:
-        return RULE_AREA;
-    case SamplingRule::Kind::edge:
-        return RULE_EDGE;
-    case SamplingRule::Kind::fixed:
-        return RULE_FIXED;
+    switch (shading) {
+    case Shading::shaded:
+    case Shading::ksquads:
+        return PathVariant::Fragments::lit;
+    case Shading::error:
+        return PathVariant::Fragments::error;
     default:
-        return RULE_BOUND;
+        return PathVariant::Fragments::exact;
     }
 }
 
@@ -63,7 +48,8 @@ Renderer::Parts::Parts(std::unique_ptr<Instance> madeInstance, const RendererOpt
       edgeLines(device, bindings, uploader),
       normalLines(device, bindings),
       marks(device, bindings, uploader),
-      strokes(device, bindings, uploader)
+      strokes(device, bindings, uploader),
+      spanPlaceRecords(bindings, uploader, BINDING_SPAN_PLACES)
 {
     bindings.provide(BINDING_FRAME, frameBuffer_, sizeof(gpu::FrameRecord));
 }
@@ -135,61 +121,6 @@ void Renderer::Parts::fitTargets(const Frame& frame)
                            "Choose one above 0, such as 0.5"});
 }
 
-void Renderer::Parts::uploadRecord(const gpu::FrameRecord& record)
-{
-    if (frameRecord_ && std::memcmp(&*frameRecord_, &record, sizeof(record)) == 0)
-        return;
-    frameRecord_ = record;
-    uploader.write(frameBuffer_, 0, std::span(&record, 1));
-}
-
-void Renderer::Parts::updateFrameRecord(const Frame& frame, SurfacePath& path, SamplingRule rule,
-                                        bool capture)
-{
-    gpu::FrameRecord record{};
-    Box bounds = scene.bounds();
-    if (frame.wave && !bounds.isEmpty()) {
-        const Vec3 reach(2 * frame.wave->amplitude);
-        bounds.add(bounds.low - reach);
-        bounds.add(bounds.high + reach);
-    }
-    record.projection =
-        gpu::mat4(frame.camera.projection(static_cast<double>(frame.width) / frame.height, bounds));
-    record.pixelsPerUnit = static_cast<float>(pixelsPerUnit(frame.camera, frame.height));
-    record.pixels = {static_cast<float>(frame.width), static_cast<float>(frame.height)};
-    record.tolerancePx = static_cast<float>(frame.tolerancePx);
-    record.samplingRule = ruleNumber(rule.kind);
-    record.diePx = static_cast<float>(kDiePxPerTolerance * frame.tolerancePx);
-    record.fixedDice = static_cast<std::uint32_t>(rule.count);
-    if (const auto limits = path.tiles()) {
-        record.snap = limits->snap;
-        record.tileSide = limits->side;
-        record.tileVertices = limits->vertices;
-        record.tileTriangles = limits->triangles;
-        record.ringTriangles = limits->ringTriangles;
-        record.tileCapacity = sampling.tileCapacity();
-        record.tilesPerDraw = std::max(1U, std::min(limits->tilesPerDraw, sampling.tileCapacity()));
-        record.taskTiles = limits->taskTiles;
-    }
-    record.cullBits = frame.culling.bits;
-    record.judgedBits = judgedBits(frame, path, rule);
-    record.ksquadCount = scene.ksquadCount();
-    record.surfaceCount = static_cast<std::uint32_t>(scene.residents().size());
-    record.pointCount = scene.controlPointCount();
-    record.shading = static_cast<std::uint32_t>(frame.shading);
-    record.flags = (frame.overlays.knotLines ? FRAME_KNOT_LINES : 0U) | (capture ? FRAME_CAPTURE : 0U) |
-                   (frame.camera.orthographic ? FRAME_ORTHOGRAPHIC : 0U) |
-                   (frame.shading == Shading::error ? FRAME_MEASURE_ERROR : 0U) | verdictFlag_;
-    record.isoCurves = static_cast<std::uint32_t>(std::max(frame.overlays.isoCurves, 0));
-    record.captureCapacity = counters.captureCapacity();
-    if (path.tiles() && path.tiles()->wholeGrids)
-        record.flags |= FRAME_WHOLE_TILES;
-    path.prepare({scene, frame.camera, rule, frame.tolerancePx, static_cast<double>(frame.width),
-                  static_cast<double>(frame.height), sides_, facing.arrays(), uploader, verdicts_},
-                 record);
-    uploadRecord(record);
-}
-
 FrameStats Renderer::Parts::draw(const Frame& wantedFrame, bool capture)
 {
     checkFrame(wantedFrame);
@@ -200,7 +131,7 @@ FrameStats Renderer::Parts::draw(const Frame& wantedFrame, bool capture)
     const Evaluator evaluator = chosenEvaluator(wish_, largestDegree_, Precision::float32);
     if (!pathInfo(frame.path).cullsDice)
         frame.culling.bits &= ~CULL_DICE;
-    PathVariant variant{specializationFor(evaluator), frame.shading == Shading::error,
+    PathVariant variant{specializationFor(evaluator), fragmentsFor(frame.shading),
                         (frame.culling.bits & CULL_DICE) != 0};
     variant.specialization.captures = capture;
     SurfacePath& path = pathFor(frame.path, variant);
@@ -225,6 +156,8 @@ FrameStats Renderer::Parts::draw(const Frame& wantedFrame, bool capture)
             scene.setFriends(friendSides.of(scene.residents(), &scene.changes()));
         uploaded = noteVerdicts(frame, variant, path, rule, started);
         prepareCulling(frame, path);
+        if (frame.shading == Shading::checker)
+            spanPlaceRecords.send(spanPlaces.of(scene.residents(), frame.look.checker, &scene.changes()));
         prepareOverlays(frame.overlays);
         uploaded += drawWhole(frame, path, rule, capture, started);
     } catch (...) {
@@ -236,6 +169,7 @@ FrameStats Renderer::Parts::draw(const Frame& wantedFrame, bool capture)
         edgeLines.forget();
         marks.forget();
         strokes.forget();
+        spanPlaceRecords.forget();
         sceneIsHeld_ = false;
         frameRecord_.reset();
         lastFrame.reset();

@@ -18,10 +18,12 @@
 #include "renderer/paths/surface_path.h"
 #include "renderer/point_evaluation.h"
 #include "renderer/sampling/sampling_pass.h"
+#include "renderer/scene/curvature_range.h"
 #include "renderer/scene/facing_table.h"
 #include "renderer/scene/friend_sides.h"
 #include "renderer/scene/gpu_scene.h"
 #include "renderer/scene/shown_sides.h"
+#include "renderer/scene/span_places.h"
 #include "renderer/scene/wave_pass.h"
 #include "renderer/stats/gpu_clock.h"
 #include "renderer/stats/gpu_counters.h"
@@ -56,6 +58,8 @@ struct Renderer::Parts {
     FacingTable facing;
     ShownSides shownSides;
     FriendSides friendSides;
+    CurvatureRange curvatureRange;
+    SpanPlaces spanPlaces;
     CullPass culling;
     DepthPyramid pyramid;
     WrongCulls wrongCulls;
@@ -67,6 +71,7 @@ struct Renderer::Parts {
     NormalLines normalLines;
     Marks marks;
     Strokes strokes;
+    SentRecords<float> spanPlaceRecords;
     std::map<std::pair<PathId, PathVariant>, std::unique_ptr<SurfacePath>>
         paths;  // made when first drawn with
     std::unique_ptr<FrameTargets> targets;

@@ -12,8 +12,8 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "ui/number_box.h"
 #include "ui/viewport/described.h"
+#include "ui/viewport/number_box.h"
 
 namespace knotspan {
 

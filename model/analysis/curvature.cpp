@@ -16,6 +16,21 @@ double length(const Vec3& vector)
 
 }  // namespace
 
+double figure(const Curvature& curvature, CurvatureKind kind)
+{
+    switch (kind) {
+    case CurvatureKind::gauss:
+        return curvature.gauss;
+    case CurvatureKind::largest:
+        return curvature.largest;
+    case CurvatureKind::smallest:
+        return curvature.smallest;
+    case CurvatureKind::mean:
+        break;
+    }
+    return curvature.mean;
+}
+
 std::optional<Curvature> curvature(const SurfacePoint& point)
 {
     const double sizeU = length(point.du);

@@ -15,6 +15,10 @@ struct Curvature {
     double smallest = 0;
 };
 
+// One of those figures.
+enum class CurvatureKind : int { mean, gauss, largest, smallest };
+[[nodiscard]] double figure(const Curvature& curvature, CurvatureKind kind);
+
 // From the first and second fundamental forms (do Carmo, 3.3). Nothing where S_u x S_v vanishes or a figure
 // would not be finite.
 [[nodiscard]] std::optional<Curvature> curvature(const SurfacePoint& point);

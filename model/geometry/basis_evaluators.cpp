@@ -37,7 +37,7 @@ using Wide = std::conditional_t<sizeof(Real) == sizeof(float), double, long doub
 
 const std::vector<EvaluatorInfo>& evaluators()
 {
-#define KNOTSPAN_ROW(number, name, values, both, sentence) {Evaluator::name, #name, sentence},
+#define KNOTSPAN_ROW(number, name, values, both, bent, sentence) {Evaluator::name, #name, sentence},
     static const std::vector<EvaluatorInfo> infos = {
         {Evaluator::automatic, "auto",
          "The fastest that is exact at the model's degrees, whatever its weights"},

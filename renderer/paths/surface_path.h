@@ -52,12 +52,15 @@ struct PathFrame {
 // What a path's pipelines are made for.
 struct PathVariant {
     Specialization specialization;
-    bool measuresError = false;  // the fragment stage measures how far each pixel is off
+    enum class Fragments { lit, exact, error };
+    Fragments fragments = Fragments::lit;
     bool cullsDice = false;      // culling by evs, where PathInfo says that the path can
 
     [[nodiscard]] const char* fragmentStage() const
     {
-        return measuresError ? "surface_error.frag" : "surface.frag";
+        if (fragments == Fragments::error)
+            return "surface_error.frag";
+        return fragments == Fragments::exact ? "surface_exact.frag" : "surface.frag";
     }
     [[nodiscard]] auto operator<=>(const PathVariant&) const = default;
 };

@@ -17,7 +17,7 @@ gpu::Basis<double> basisBy(const CpuScene& scene, gpu::uint table, int degree, d
 
 auto basisFunction(Evaluator evaluator) -> decltype(&basisBy<Evaluator::triangular>)
 {
-#define KNOTSPAN_CHOICE(number, name, values, both, sentence) \
+#define KNOTSPAN_CHOICE(number, name, values, both, bent, sentence) \
     if (evaluator == Evaluator::name)                         \
         return basisBy<Evaluator::name>;
     KNOTSPAN_EVALUATOR_LIST(KNOTSPAN_CHOICE)

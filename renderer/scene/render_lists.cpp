@@ -9,6 +9,16 @@ const std::vector<ShadingInfo>& shadings()
 {
     static const std::vector<ShadingInfo> list = {
         {Shading::shaded, "shaded", "Lit by lamps that go with the camera"},
+        {Shading::zebra, "zebra",
+         "Stripes mirrored in the surface: they jump where edges are G0, kink where they are G1"},
+        {Shading::reflection, "reflection", "Thin light lines mirrored in the surface"},
+        {Shading::isophotes, "isophotes", "Bands where the normal leans equally"},
+        {Shading::matcap, "matcap", "A material lit in a studio that turns with the eye"},
+        {Shading::curvature, "curvature", "How strongly the surface bends: blue one way, orange the other"},
+        {Shading::draft, "draft",
+         "How far the surface leans from the direction in which a mould is pulled: blue is undercut"},
+        {Shading::checker, "checker",
+         "Squares along the parameters, or of one length: how the parameters run"},
         {Shading::normals, "normals", "The surface normal as a colour"},
         {Shading::ksquads, "ksquads", "Each KSQuad in a colour of its own"},
         {Shading::error, "error",

@@ -9,7 +9,20 @@
 
 namespace knotspan {
 
-enum class Shading : int { shaded, normals, ksquads, error };
+// Numbered as SHADING_... of shaders/shared/layouts.h.
+enum class Shading : int {
+    shaded,
+    normals,
+    ksquads,
+    error,
+    zebra,
+    reflection,
+    isophotes,
+    matcap,
+    curvature,
+    draft,
+    checker
+};
 
 struct ShadingInfo {
     Shading id;

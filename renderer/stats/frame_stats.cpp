@@ -161,6 +161,8 @@ const std::vector<StatField>& statFields()
         KNOTSPAN_FIELD("error_px_mean", "Mean error", "px", errorPxMean),
         KNOTSPAN_FIELD("error_pixels_lost", "Too thin to tell", "px", errorPixelsLost),
         KNOTSPAN_FIELD("error_bound_px", "Promised error", "px", errorBoundPx),
+        KNOTSPAN_FIELD("ramp_low", "Bluest at", "", rampLow),
+        KNOTSPAN_FIELD("ramp_high", "Most orange at", "", rampHigh),
         KNOTSPAN_FIELD("leak_pixels", "Leaks", "px", leakPixels),
     };
 #undef KNOTSPAN_FIELD

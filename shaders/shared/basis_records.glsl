@@ -21,6 +21,14 @@ struct Basis {
     Real slope[KNOTSPAN_MAX_ORDER];
 };
 
+// And their second derivatives.
+KNOTSPAN_TEMPLATE
+struct BentBasis {
+    Real value[KNOTSPAN_MAX_ORDER];
+    Real slope[KNOTSPAN_MAX_ORDER];
+    Real bend[KNOTSPAN_MAX_ORDER];
+};
+
 #ifdef __cplusplus
 }  // namespace knotspan::gpu
 #endif

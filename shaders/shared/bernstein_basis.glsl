@@ -66,6 +66,39 @@ Basis KNOTSPAN_OF_REAL bernsteinBasis(KNOTSPAN_SOURCE uint table, int degree, Re
     return basis;
 }
 
+// Second derivatives are differences of the shares' first ones.
+KNOTSPAN_SOURCE_TEMPLATE
+BentBasis KNOTSPAN_OF_REAL bernsteinBent(KNOTSPAN_SOURCE uint table, int degree, Real t)
+{
+    BasisValues KNOTSPAN_OF_REAL lower = bernsteinPowers(degree - 1, t);
+    BasisValues KNOTSPAN_OF_REAL lowest = bernsteinPowers(max(degree - 2, 0), t);
+    BentBasis KNOTSPAN_OF_REAL basis;
+    Real previousShare = Real(0);
+    Real previousSlope = Real(0);
+    uint shares = table + uint((degree + 1) * (degree + 1));
+    for (int k = 0; k <= degree; ++k) {
+        Real value = KNOTSPAN_TABLE(table + uint(k * (degree + 1) + degree)) * (lower.value[degree - 1] * t);
+        Real share = Real(0);
+        Real shareSlope = Real(0);
+        for (int m = 0; m < degree; ++m) {
+            value += KNOTSPAN_TABLE(table + uint(k * (degree + 1) + m)) * (lower.value[m] * (Real(1) - t));
+            if (k == degree)
+                continue;
+            Real coefficient = KNOTSPAN_TABLE(shares + uint(k * degree + m));
+            share += coefficient * lower.value[m];
+            Real rising = m > 0 ? Real(m) * lowest.value[m - 1] : Real(0);
+            Real falling = m < degree - 1 ? Real(degree - 1 - m) * lowest.value[m] : Real(0);
+            shareSlope += coefficient * (rising - falling);
+        }
+        basis.value[k] = value;
+        basis.slope[k] = previousShare - share;
+        basis.bend[k] = previousSlope - shareSlope;
+        previousShare = share;
+        previousSlope = shareSlope;
+    }
+    return basis;
+}
+
 #ifdef __cplusplus
 }  // namespace knotspan::gpu
 #endif

@@ -45,7 +45,8 @@
 #define BINDING_STROKES 40           // straight lines in the picture
 #define BINDING_MESH_VERTICES 41     // of the reference meshes
 #define BINDING_MESH_TRIANGLES 42
-#define BINDING_COUNT 43
+#define BINDING_SPAN_PLACES 43       // where spans of surfaces lie along their parameters, or along their iso-curves
+#define BINDING_COUNT 44
 
 // Specialization constants.
 #define KNOTSPAN_LINES_CONSTANT 0      // of the overlays: lines, not points

@@ -30,6 +30,28 @@ namespace knotspan::gpu {
 #define RULE_EDGE 2u
 #define RULE_FIXED 3u
 
+// Shadings, as `Shading` of renderer/scene/render_lists.h counts them.
+#define SHADING_SHADED 0u
+#define SHADING_NORMALS 1u
+#define SHADING_KSQUADS 2u
+#define SHADING_ERROR 3u
+#define SHADING_ZEBRA 4u
+#define SHADING_REFLECTION 5u
+#define SHADING_ISOPHOTES 6u
+#define SHADING_MATCAP 7u
+#define SHADING_CURVATURE 8u
+#define SHADING_DRAFT 9u
+#define SHADING_CHECKER 10u
+
+// Kinds of a shading: of a matcap, of curvature.
+#define LOOK_CLAY 0u
+#define LOOK_CHROME 1u
+#define LOOK_PEARL 2u
+#define LOOK_MEAN 0u
+#define LOOK_GAUSS 1u
+#define LOOK_LARGEST 2u
+#define LOOK_SMALLEST 3u
+
 // What all stages know of the picture. Lengths on screen are pixels.
 struct FrameRecord {
     mat4 projection;      // eye-relative view space to clip space, reversed depth
@@ -58,6 +80,10 @@ struct FrameRecord {
     uint flags;
     uint isoCurves;        // parts that lines on surfaces cut a KSQuad into, each way; below 2: none
     uint captureCapacity;  // vertices; of the compute stage: requests
+    uint lookKind;         // LOOK_...
+    float lookCount;       // stripes from one end of the axis to the other; squares along a unit of a place
+    vec3 lookAxis;         // unit, view space: of stripes; in which a mould is pulled
+    vec2 lookRange;        // numbers at the ends of the ramp
 };
 
 // A surface: what does not depend on the view.
@@ -313,7 +339,7 @@ struct StrokeRecord {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(FrameRecord) == 168 && sizeof(SurfaceRecord) == 96 && sizeof(SurfaceView) == 80);
+static_assert(sizeof(FrameRecord) == 196 && sizeof(SurfaceRecord) == 96 && sizeof(SurfaceView) == 80);
 static_assert(sizeof(BorderSide) == 8 && sizeof(BorderPiece) == 32 && sizeof(BorderUse) == 8);
 static_assert(sizeof(GridRecord) == 8 && sizeof(TileRecord) == 24);
 static_assert(sizeof(KsQuadRecord) == 16 && sizeof(CapturedRecord) == 56);

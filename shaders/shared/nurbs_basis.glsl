@@ -24,7 +24,7 @@ KNOTSPAN_EVALUATOR_TEMPLATE
 BasisValues KNOTSPAN_OF_REAL evaluateBasisValues(KNOTSPAN_SOURCE uint table, int degree, Real t)
 {
     BasisValues KNOTSPAN_OF_REAL basis;
-#define KNOTSPAN_CHOICE(number, name, values, both, sentence) \
+#define KNOTSPAN_CHOICE(number, name, values, both, bent, sentence) \
     KNOTSPAN_IF_EVALUATOR(number)                             \
         basis = values KNOTSPAN_OF_REAL(KNOTSPAN_PASS_SOURCE table, degree, t);
     KNOTSPAN_EVALUATOR_LIST(KNOTSPAN_CHOICE)
@@ -37,9 +37,22 @@ KNOTSPAN_EVALUATOR_TEMPLATE
 Basis KNOTSPAN_OF_REAL evaluateBasis(KNOTSPAN_SOURCE uint table, int degree, Real t)
 {
     Basis KNOTSPAN_OF_REAL basis;
-#define KNOTSPAN_CHOICE(number, name, values, both, sentence) \
+#define KNOTSPAN_CHOICE(number, name, values, both, bent, sentence) \
     KNOTSPAN_IF_EVALUATOR(number)                             \
         basis = both KNOTSPAN_OF_REAL(KNOTSPAN_PASS_SOURCE table, degree, t);
+    KNOTSPAN_EVALUATOR_LIST(KNOTSPAN_CHOICE)
+#undef KNOTSPAN_CHOICE
+    return basis;
+}
+
+// The same and their second derivatives.
+KNOTSPAN_EVALUATOR_TEMPLATE
+BentBasis KNOTSPAN_OF_REAL evaluateBentBasis(KNOTSPAN_SOURCE uint table, int degree, Real t)
+{
+    BentBasis KNOTSPAN_OF_REAL basis;
+#define KNOTSPAN_CHOICE(number, name, values, both, bent, sentence) \
+    KNOTSPAN_IF_EVALUATOR(number)                                   \
+        basis = bent KNOTSPAN_OF_REAL(KNOTSPAN_PASS_SOURCE table, degree, t);
     KNOTSPAN_EVALUATOR_LIST(KNOTSPAN_CHOICE)
 #undef KNOTSPAN_CHOICE
     return basis;

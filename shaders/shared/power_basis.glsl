@@ -45,6 +45,27 @@ Basis KNOTSPAN_OF_REAL powerBasis(KNOTSPAN_SOURCE uint table, int degree, Real t
     return basis;
 }
 
+KNOTSPAN_SOURCE_TEMPLATE
+BentBasis KNOTSPAN_OF_REAL powerBent(KNOTSPAN_SOURCE uint table, int degree, Real t)
+{
+    BentBasis KNOTSPAN_OF_REAL basis;
+    for (int k = 0; k <= degree; ++k) {
+        uint first = table + uint(k * (degree + 1));
+        Real value = KNOTSPAN_TABLE(first + uint(degree));
+        Real slope = Real(0);
+        Real halfBend = Real(0);
+        for (int m = degree - 1; m >= 0; --m) {
+            halfBend = halfBend * t + slope;
+            slope = slope * t + value;
+            value = value * t + KNOTSPAN_TABLE(first + uint(m));
+        }
+        basis.value[k] = value;
+        basis.slope[k] = slope;
+        basis.bend[k] = Real(2) * halfBend;
+    }
+    return basis;
+}
+
 #ifdef __cplusplus
 }  // namespace knotspan::gpu
 #endif

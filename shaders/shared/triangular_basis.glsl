@@ -62,6 +62,50 @@ Basis KNOTSPAN_OF_REAL triangularBasis(KNOTSPAN_SOURCE uint table, int degree, R
     return basis;
 }
 
+// The last two steps give second derivatives, too: those of degree p are differences of shares of the first ones of
+// degree p - 1.
+KNOTSPAN_SOURCE_TEMPLATE
+BentBasis KNOTSPAN_OF_REAL triangularBent(KNOTSPAN_SOURCE uint table, int degree, Real t)
+{
+    BasisValues KNOTSPAN_OF_REAL lowest =
+        triangularRaised KNOTSPAN_OF_REAL(KNOTSPAN_PASS_SOURCE table, degree, degree - 2, t);
+    Basis KNOTSPAN_OF_REAL lower;
+    int below = degree - 1;
+    Real carried = Real(0);
+    Real previousShare = Real(0);
+    for (int r = 0; r < below; ++r) {
+        Real leftKnot = KNOTSPAN_TABLE(table + uint(below - r - 1));
+        Real rightKnot = KNOTSPAN_TABLE(table + uint(degree + r));
+        Real share = lowest.value[r] / (Real(1) + leftKnot + rightKnot);
+        lower.value[r] = carried + (rightKnot + (Real(1) - t)) * share;
+        lower.slope[r] = Real(below) * (previousShare - share);
+        carried = (t + leftKnot) * share;
+        previousShare = share;
+    }
+    lower.value[below] = below > 0 ? carried : Real(1);
+    lower.slope[below] = Real(below) * previousShare;
+    BentBasis KNOTSPAN_OF_REAL basis;
+    carried = Real(0);
+    previousShare = Real(0);
+    Real previousSlope = Real(0);
+    for (int r = 0; r < degree; ++r) {
+        Real leftKnot = KNOTSPAN_TABLE(table + uint(degree - r - 1));
+        Real rightKnot = KNOTSPAN_TABLE(table + uint(degree + r));
+        Real share = lower.value[r] / (Real(1) + leftKnot + rightKnot);
+        Real shareSlope = lower.slope[r] / (Real(1) + leftKnot + rightKnot);
+        basis.value[r] = carried + (rightKnot + (Real(1) - t)) * share;
+        basis.slope[r] = Real(degree) * (previousShare - share);
+        basis.bend[r] = Real(degree) * (previousSlope - shareSlope);
+        carried = (t + leftKnot) * share;
+        previousShare = share;
+        previousSlope = shareSlope;
+    }
+    basis.value[degree] = carried;
+    basis.slope[degree] = Real(degree) * previousShare;
+    basis.bend[degree] = Real(degree) * previousSlope;
+    return basis;
+}
+
 #ifdef __cplusplus
 }  // namespace knotspan::gpu
 #endif

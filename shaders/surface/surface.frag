@@ -1,4 +1,5 @@
-// The colour of a surface's pixel: where all paths end. Shading by the error has a stage of its own, surface_error.frag.
+// The colour of a surface's pixel: where all paths end. surface_exact.frag and
+// surface_error.frag stand in its place where a picture judges surfaces.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -8,9 +9,6 @@
 SURFACE_IN
 
 #include "surface_colour.glsl"
-
-#define SHADING_NORMALS 1u
-#define SHADING_KSQUADS 2u
 
 // A colour for each KSQuad that neighbours rarely share.
 vec3 ksquadColour(uint index)
@@ -32,13 +30,8 @@ void main()
     bool front = dot(n, towardsEye) >= 0.0;
     vec3 facing = front ? n : -n;
 
-    vec3 colour;
-    if (frame.shading == SHADING_NORMALS) {
-        colour = pow(max(0.5 + 0.5 * n, 0.0), vec3(2.2));
-    } else {
-        vec3 albedo = frame.shading == SHADING_KSQUADS ? ksquadColour(place.ksquad) : surfaces[surface].colour;
-        colour = lit(front ? albedo : albedo * kInside, facing, towardsEye);
-    }
+    vec3 albedo = frame.shading == SHADING_KSQUADS ? ksquadColour(place.ksquad) : surfaces[surface].colour;
+    vec3 colour = lit(front ? albedo : albedo * kInside, facing, towardsEye);
     colour = mix(colour, vec3(1.0, 0.45, 0.08), 0.22 * surfaceViews[surface].highlight);
     if (frame.isoCurves > 1u)
         colour = mix(colour, vec3(0.015), 0.4 * isoCurve(place.t));

@@ -171,6 +171,7 @@ std::vector<FolderRule> makeRules()
                          "renderer/culling/cull_modes.h",
                          "renderer/paths/path_list.h",
                          "renderer/scene/camera.h",
+                         "renderer/scene/look.h",
                          "renderer/scene/render_lists.h",
                          "renderer/measurement"};
     const Folders front{"renderer/renderer.h", "renderer/frame.h", "renderer/leak_count.h", "renderer/stats",

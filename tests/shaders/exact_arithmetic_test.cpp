@@ -62,7 +62,12 @@ void expectExact(const KnotVector& knots)
             const auto expected = exactBasis<Fraction>(knots, span, start + t * length);
             const auto values = gpu::evaluateBasisValues<evaluator, Fraction>(source, 0, p, t);
             const auto both = gpu::evaluateBasis<evaluator, Fraction>(source, 0, p, t);
+            const auto bent = gpu::evaluateBentBasis<evaluator, Fraction>(source, 0, p, t);
             for (size_t k = 0; k <= static_cast<size_t>(p); ++k) {
+                EXPECT_EQ(bent.value[k], expected.value[k]) << "degree " << p << ", span " << span;
+                EXPECT_EQ(bent.slope[k], expected.slope[k] * length) << "degree " << p << ", span " << span;
+                EXPECT_EQ(bent.bend[k], expected.bend[k] * length * length)
+                    << "degree " << p << ", span " << span;
                 EXPECT_EQ(values.value[k], expected.value[k]) << "degree " << p << ", span " << span;
                 EXPECT_EQ(both.value[k], expected.value[k]) << "degree " << p << ", span " << span;
                 EXPECT_EQ(both.slope[k], expected.slope[k] * length) << "degree " << p << ", span " << span;

@@ -7,12 +7,13 @@
 
 namespace knotspan::testing {
 
-// N_{i-p,p} .. N_{i,p} on span i as a polynomial of u, whatever u is, and their derivatives. The NURBS Book,
-// eqs. 2.5 and 2.7; functions and fractions of empty spans are zero.
+// N_{i-p,p} .. N_{i,p} on span i as a polynomial of u, whatever u is, and their first and second derivatives. The NURBS Book,
+// eqs. 2.5, 2.7 and 2.9; functions and fractions of empty spans are zero.
 template <class Number>
 struct ExactBasis {
     std::vector<Number> value;
     std::vector<Number> slope;
+    std::vector<Number> bend;
 };
 
 template <class Number>
@@ -25,9 +26,11 @@ ExactBasis<Number> exactBasis(const KnotVector& knots, int span, const Number& u
     };
     // row[k] is N_{i-p+k,d}; the one above the last is zero.
     std::vector<Number> row(static_cast<size_t>(p) + 2, Number(0));
-    std::vector<Number> lower;
+    std::vector<Number> lower(row.size(), Number(0));
+    std::vector<Number> lowest;
     row[static_cast<size_t>(p)] = Number(1);
     for (int d = 1; d <= p; ++d) {
+        lowest = lower;
         lower = row;
         for (int k = p - d; k <= p; ++k) {
             const int j = span - p + k;
@@ -37,6 +40,13 @@ ExactBasis<Number> exactBasis(const KnotVector& knots, int span, const Number& u
                 row[at] += fraction(knot(j + d + 1) - u, knot(j + d + 1) - knot(j + 1)) * lower[at + 1];
         }
     }
+    const auto lowerSlope = [&](int k) {  // of N_{i-p+k,p-1}
+        const int j = span - p + k;
+        const auto at = static_cast<size_t>(k);
+        Number slope = fraction(lowest[at], knot(j + p - 1) - knot(j));
+        slope -= fraction(lowest[at + 1], knot(j + p) - knot(j + 1));
+        return Number(Number(p - 1) * slope);
+    };
     ExactBasis<Number> result;
     for (int k = 0; k <= p; ++k) {
         const int j = span - p + k;
@@ -44,8 +54,12 @@ ExactBasis<Number> exactBasis(const KnotVector& knots, int span, const Number& u
         Number slope = fraction(lower[at], knot(j + p) - knot(j));
         if (k < p)
             slope -= fraction(lower[at + 1], knot(j + p + 1) - knot(j + 1));
+        Number bend = fraction(lowerSlope(k), knot(j + p) - knot(j));
+        if (k < p)
+            bend -= fraction(lowerSlope(k + 1), knot(j + p + 1) - knot(j + 1));
         result.value.push_back(row[at]);
         result.slope.push_back(Number(p) * slope);
+        result.bend.push_back(Number(p) * bend);
     }
     return result;
 }

@@ -23,11 +23,12 @@ template <class Real>
 constexpr double kUnit = std::numeric_limits<Real>::epsilon() / 2;
 
 // How far a curve can be off whose control points are no further than 1 from the origin: sums of the
-// functions' errors. Slopes as a share of 2 p, the largest derivative by t that such a curve can have. In
-// units.
+// functions' errors. Slopes as a share of 2 p, the largest derivative by t that such a curve can have, second
+// derivatives of 4 p (p - 1), likewise. In units.
 struct BasisError {
     double value = 0;
     double slope = 0;
+    double bend = 0;
 };
 
 template <Evaluator evaluator, class Real>
@@ -45,14 +46,19 @@ void look(BasisError& worst, const KnotVector& knots, int span, Real t)
     Digits50 value = 0;
     Digits50 valueAlone = 0;
     Digits50 slope = 0;
+    Digits50 bend = 0;
+    const auto bent = gpu::evaluateBentBasis<evaluator, Real>(source, 0, p, t);
     for (size_t k = 0; k <= static_cast<size_t>(p); ++k) {
         value += abs(Digits50(basis.value[k]) - expected.value[k]);
         valueAlone += abs(Digits50(values.value[k]) - expected.value[k]);
         slope += abs(Digits50(basis.slope[k]) - expected.slope[k] * length);
+        bend += abs(Digits50(bent.bend[k]) - expected.bend[k] * length * length);
     }
     const Digits50 larger = std::max(value, valueAlone);
     worst.value = std::max(worst.value, static_cast<double>(larger) / kUnit<Real>);
     worst.slope = std::max(worst.slope, static_cast<double>(slope) / (2 * p * kUnit<Real>));
+    worst.bend = std::max(worst.bend,
+                          static_cast<double>(bend) / (4 * std::max(1, p * (p - 1)) * kUnit<Real>));
 }
 
 template <Evaluator evaluator, class Real>
@@ -100,6 +106,7 @@ void expectBounded(const char* type)
         const BasisError worst = worstBasisError<evaluator, Real>(degree);
         EXPECT_LT(worst.value, bound(evaluator, degree, precision)) << type << ", degree " << degree;
         EXPECT_LT(worst.slope, bound(evaluator, degree, precision)) << type << ", degree " << degree;
+        EXPECT_LT(worst.bend, bound(evaluator, degree, precision)) << type << ", degree " << degree;
         char text[32];
         std::snprintf(text, sizeof(text), "%.3g ", worst.value);
         values += text;

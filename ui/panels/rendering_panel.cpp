@@ -20,6 +20,8 @@
 #include <QStandardItemModel>
 #include <QToolButton>
 
+#include "ui/panels/look_form.h"
+
 namespace knotspan {
 
 namespace {
@@ -96,6 +98,7 @@ RenderingPanel::RenderingPanel(Viewport& viewport, QWidget* parent) : QWidget(pa
     layout->setRowWrapPolicy(QFormLayout::DontWrapRows);
     layout->addRow(tr("&Path"), makePathPicker());
     layout->addRow(tr("&Shading"), makeShadingPicker());
+    layout->addRow(QString(), new LookForm(viewport_, this));
     layout->addRow(tr("Tolerance"), makeTolerance());
     layout->addRow(tr("Sa&mpling"), makeSamplingPicker());
     layout->addRow(tr("Culling"), makeCulling());
