@@ -6,6 +6,15 @@ namespace knotspan {
 
 #define TEXT(text) QT_TRANSLATE_NOOP("knotspan::Actions", text)
 
+const std::vector<MenuInfo>& menuList()
+{
+    static const std::vector<MenuInfo> kList = {{"file", TEXT("&File")},     {"edit", TEXT("&Edit")},
+                                                {"tools", TEXT("&Tools")},   {"points", TEXT("&Points")},
+                                                {"object", TEXT("&Object")}, {"view", TEXT("&View")},
+                                                {"help", TEXT("&Help")}};
+    return kList;
+}
+
 const std::vector<ActionInfo>& actionList()
 {
     static const std::vector<ActionInfo> kList = [] {
@@ -16,6 +25,12 @@ const std::vector<ActionInfo>& actionList()
         return list;
     }();
     return kList;
+}
+
+std::string_view menuOf(const ActionInfo& action)
+{
+    const std::string_view id = action.id;
+    return id.substr(0, id.find('.'));
 }
 
 QString translatedAction(const char* text)

@@ -26,6 +26,16 @@ struct ActionInfo {
     bool whileDragging = false;                     // others wait until the hand lets go
 };
 
+// The menus of the menu bar.
+struct MenuInfo {
+    const char* name;   // "file"
+    const char* title;  // with its mnemonic
+};
+[[nodiscard]] const std::vector<MenuInfo>& menuList();
+
+// Whose entry it is: "file.open" -> "file".
+[[nodiscard]] std::string_view menuOf(const ActionInfo& action);
+
 // In the order of the menus.
 [[nodiscard]] const std::vector<ActionInfo>& actionList();
 // Its parts.

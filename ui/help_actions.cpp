@@ -2,11 +2,17 @@
 #include <QMessageBox>
 
 #include "ui/action_rows.h"
+#include "ui/command_palette.h"
 #include "ui/keys_dialog.h"
 
 namespace knotspan {
 
 namespace {
+
+void showPalette(Window& window)
+{
+    broughtUp<CommandPalette>(window, [&] { return new CommandPalette(window.commands(), &window); });
+}
 
 void showKeys(Window& window)
 {
@@ -34,6 +40,11 @@ void showAbout(Window& window)
 const std::vector<ActionInfo>& helpActions()
 {
     static const std::vector<ActionInfo> kList = {
+        {.id = "help.palette",
+         .text = TEXT("&Find an action…"),
+         .shortcuts = {QKeySequence("Ctrl+K")},
+         .tip = TEXT("Type a few letters of what you want to do, and do it"),
+         .run = [](Window& w, bool) { showPalette(w); }},
         {.id = "help.keys",
          .text = TEXT("&Keys and mouse"),
          .shortcuts = {QKeySequence("H"), QKeySequence("F1")},

@@ -11,7 +11,9 @@
 #include <QDropEvent>
 #include <QMimeData>
 #include <QSettings>
+#include <QToolBar>
 
+#include "ui/actions.h"
 #include "ui/document_files.h"
 #include "ui/message_bar.h"
 #include "ui/recovery.h"
@@ -91,6 +93,22 @@ QAction* MainWindow::action(std::string_view id) const
 {
     const auto found = actions_.find(id);
     return found == actions_.end() ? nullptr : found->second;
+}
+
+QList<QAction*> MainWindow::commands() const
+{
+    QList<QAction*> commands;
+    for (const MenuInfo& menu : menuList()) {
+        for (const ActionInfo& info : actionList())
+            if (menuOf(info) == menu.name)
+                commands << action(info.id);
+        if (std::string_view(menu.name) != "view")
+            continue;
+        for (const QDockWidget* panel : panels_)
+            commands << panel->toggleViewAction();
+        commands << toolBar_->toggleViewAction();
+    }
+    return commands;
 }
 
 QString MainWindow::message() const

@@ -44,6 +44,8 @@ public:
     // From now on keeps what a crash would lose in that folder, and offers what was left there.
     void keepForRecovery(const std::filesystem::path& folder, std::chrono::milliseconds interval);
     [[nodiscard]] QAction* action(std::string_view id) const;  // of actionList()
+    // All of those and what shows panels and the tool bar, in the order of the menus. objectName() is the id.
+    [[nodiscard]] QList<QAction*> commands() const;
     // The sentence that the message bar shows; empty: none.
     [[nodiscard]] QString message() const;
 

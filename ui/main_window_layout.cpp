@@ -22,17 +22,6 @@
 
 namespace knotspan {
 
-namespace {
-
-// "file.open" -> "file"
-std::string_view menuOf(const ActionInfo& action)
-{
-    const std::string_view id = action.id;
-    return id.substr(0, id.find('.'));
-}
-
-}  // namespace
-
 void MainWindow::makeCentre()
 {
     auto* centre = new QWidget(this);
@@ -84,6 +73,7 @@ void MainWindow::makePanels()
         auto* dock = new QDockWidget(title, this);
         dock->setObjectName(info.name);
         dock->setWidget(info.make(*this));
+        dock->toggleViewAction()->setObjectName(QString("view.%1").arg(info.name));
         dock->toggleViewAction()->setStatusTip(tr("Show or hide the panel \"%1\"").arg(title));
         if (info.shortcut != nullptr)
             dock->toggleViewAction()->setShortcut(QKeySequence(info.shortcut));
@@ -98,11 +88,9 @@ void MainWindow::makePanels()
 
 void MainWindow::makeMenus()
 {
-    const std::vector<std::pair<std::string_view, QString>> titles = {
-        {"file", tr("&File")},     {"edit", tr("&Edit")}, {"tools", tr("&Tools")}, {"points", tr("&Points")},
-        {"object", tr("&Object")}, {"view", tr("&View")}, {"help", tr("&Help")}};
-    for (const auto& [menuName, title] : titles) {
-        QMenu& menu = *menuBar()->addMenu(title);
+    for (const MenuInfo& shown : menuList()) {
+        const std::string_view menuName = shown.name;
+        QMenu& menu = *menuBar()->addMenu(translatedAction(shown.title));
         if (menuName == "file")
             addSamplesMenu(menu, *files_);
         for (const ActionInfo& info : actionList()) {
@@ -128,6 +116,7 @@ void MainWindow::makeToolBar()
     toolBar_ = addToolBar(tr("Tool bar"));
     toolBar_->setObjectName("tool-bar");
     toolBar_->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    toolBar_->toggleViewAction()->setObjectName("view.tool-bar");
     toolBar_->toggleViewAction()->setStatusTip(tr("Show or hide the tool bar"));
     const std::vector<std::vector<const char*>> groups = {
         {"file.open", "file.save"},
