@@ -11,6 +11,7 @@
 namespace knotspan {
 
 class MainWindow;
+struct NavigationPreset;
 
 struct ActionInfo {
     const char* id;    // "file.open"; the part before the dot names the menu
@@ -24,6 +25,7 @@ struct ActionInfo {
     QString (*step)(MainWindow& window) = nullptr;  // what it would undo or redo, told behind the text
     bool separated = false;                         // a line above it
     bool whileDragging = false;                     // others wait until the hand lets go
+    const char* submenu = nullptr;                  // its title, where neighbours share one
 };
 
 // The menus of the menu bar.
@@ -50,11 +52,11 @@ struct MenuInfo {
 // A text of the lists in the user's language.
 [[nodiscard]] QString translatedAction(const char* text);
 
-// What the mouse does over the picture: (gesture, meaning).
+// What the mouse does over the picture, in the user's language: (gesture, meaning).
 struct MouseInfo {
-    const char* gesture;
-    const char* meaning;
+    QString gesture;
+    QString meaning;
 };
-[[nodiscard]] const std::vector<MouseInfo>& mouseList();
+[[nodiscard]] std::vector<MouseInfo> mouseList(const NavigationPreset& navigation);
 
 }  // namespace knotspan

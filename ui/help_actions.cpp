@@ -16,7 +16,8 @@ void showPalette(Window& window)
 
 void showKeys(Window& window)
 {
-    broughtUp<KeysDialog>(window, [&] { return new KeysDialog(&window); });
+    broughtUp<KeysDialog>(window,
+                          [&] { return new KeysDialog(window.commandKeys(), window.viewport(), &window); });
 }
 
 void showAbout(Window& window)
@@ -48,7 +49,7 @@ const std::vector<ActionInfo>& helpActions()
         {.id = "help.keys",
          .text = TEXT("&Keys and mouse"),
          .shortcuts = {QKeySequence("H"), QKeySequence("F1")},
-         .tip = TEXT("List every key and what the mouse does"),
+         .tip = TEXT("List every key and what the mouse does, and change them"),
          .run = [](Window& w, bool) { showKeys(w); }},
         {.id = "help.about",
          .text = TEXT("&About Knotspan"),

@@ -1,59 +1,74 @@
 #include "ui/keys_dialog.h"
 
+#include <QComboBox>
 #include <QDialogButtonBox>
+#include <QHBoxLayout>
+#include <QLabel>
 #include <QTextBrowser>
 #include <QVBoxLayout>
 
 #include "ui/actions.h"
+#include "ui/keys_page.h"
+#include "ui/viewport/described.h"
+#include "ui/viewport/navigation_presets.h"
+#include "ui/viewport/viewport.h"
 
 namespace knotspan {
 
-namespace {
-
-QString translated(const char* text)
-{
-    return translatedAction(text).toHtmlEscaped();
-}
-
-QString row(const QString& left, const QString& right)
-{
-    return QString("<tr><td style='padding-right:18px'><b>%1</b></td><td>%2</td></tr>").arg(left, right);
-}
-
-QString keysOf(const ActionInfo& action)
-{
-    QStringList keys;
-    for (const QKeySequence& key : action.shortcuts)
-        keys << key.toString(QKeySequence::NativeText).toHtmlEscaped();
-    return keys.join(", ");
-}
-
-}  // namespace
-
-KeysDialog::KeysDialog(QWidget* parent) : QDialog(parent)
+KeysDialog::KeysDialog(CommandKeys& keys, Viewport& viewport, QWidget* parent)
+    : QDialog(parent),
+      viewport_(viewport)
 {
     setWindowTitle(tr("Keys and mouse"));
-    auto* text = new QTextBrowser(this);
-    text->setHtml(content());
-    text->setFrameShape(QFrame::NoFrame);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* pages = new QHBoxLayout;
+    pages->addWidget(new KeysPage(keys, this), 3);
+    pages->addWidget(makeMousePage(), 2);
     auto* layout = new QVBoxLayout(this);
-    layout->addWidget(text);
+    layout->addLayout(pages, 1);
     layout->addWidget(buttons);
-    resize(700, 660);
+    resize(1120, 640);
+    connect(&viewport_, &Viewport::navigationChanged, this, &KeysDialog::showMouse);
+    showMouse();
 }
 
-QString KeysDialog::content()
+QWidget* KeysDialog::makeMousePage()
 {
-    QString html = "<h3>" + tr("Mouse") + "</h3><table>";
-    for (const MouseInfo& mouse : mouseList())
-        html += row(translated(mouse.gesture), translated(mouse.meaning));
-    html += "</table><h3>" + tr("Keys") + "</h3><table>";
-    for (const ActionInfo& action : actionList())
-        if (!action.shortcuts.empty())
-            html += row(keysOf(action), translated(action.tip));
-    return html + "</table>";
+    auto* page = new QWidget(this);
+    navigation_ = new QComboBox(page);
+    describe(navigation_, "navigation", tr("The mouse turns the view as in"),
+             tr("Which buttons turn, pan and zoom the view: this program's own, or those of another"));
+    for (const NavigationPreset& preset : navigationPresets())
+        navigation_->addItem(translatedAction(preset.title).remove('&'));
+    connect(navigation_, &QComboBox::activated, this, [this](int chosen) {
+        viewport_.setNavigation(navigationPresets()[static_cast<size_t>(chosen)]);
+    });
+    auto* label = new QLabel(tr("&Mouse:"), page);
+    label->setBuddy(navigation_);
+    mouse_ = new QTextBrowser(page);
+    describe(mouse_, "mouse-list", tr("What the mouse does"), tr("What the mouse does over the picture"));
+    auto* row = new QHBoxLayout;
+    row->addWidget(label);
+    row->addWidget(navigation_, 1);
+    auto* column = new QVBoxLayout(page);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addLayout(row);
+    column->addWidget(mouse_, 1);
+    return page;
+}
+
+void KeysDialog::showMouse()
+{
+    const NavigationPreset& preset = viewport_.navigation();
+    for (size_t k = 0; k < navigationPresets().size(); ++k)
+        if (&navigationPresets()[k] == &preset)
+            navigation_->setCurrentIndex(static_cast<int>(k));
+    QString html = "<table cellpadding='3'>";
+    for (const MouseInfo& mouse : mouseList(preset))
+        html += QString("<tr><td><b>%1</b></td><td>%2</td></tr>")
+                    .arg(mouse.gesture.toHtmlEscaped(), mouse.meaning.toHtmlEscaped());
+    mouse_->setHtml(html + "</table>");
 }
 
 }  // namespace knotspan

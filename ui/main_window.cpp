@@ -9,11 +9,13 @@
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QDropEvent>
+#include <QMenuBar>
 #include <QMimeData>
 #include <QSettings>
 #include <QToolBar>
 
 #include "ui/actions.h"
+#include "ui/command_keys.h"
 #include "ui/document_files.h"
 #include "ui/message_bar.h"
 #include "ui/recovery.h"
@@ -46,6 +48,7 @@ MainWindow::MainWindow(Questions questions)
     makePanels();
     makeToolBar();
     makeMenus();
+    commandKeys_ = new CommandKeys(commands(), menuBar()->actions(), this);
     makeStatusBar();
     restoreLayout();
     connect(&document_, &Document::fileChanged, this, &MainWindow::showTitle);

@@ -22,11 +22,13 @@ class QToolBar;
 
 namespace knotspan {
 
+class CommandKeys;
 class DocumentFiles;
 class MessageBar;
 class ReadingLine;
 class Recovery;
 class RecoveryBar;
+struct ToolInfo;
 
 class MainWindow : public QMainWindow {
     Q_OBJECT
@@ -46,6 +48,7 @@ public:
     [[nodiscard]] QAction* action(std::string_view id) const;  // of actionList()
     // All of those and what shows panels and the tool bar, in the order of the menus. objectName() is the id.
     [[nodiscard]] QList<QAction*> commands() const;
+    [[nodiscard]] CommandKeys& commandKeys() { return *commandKeys_; }
     // The sentence that the message bar shows; empty: none.
     [[nodiscard]] QString message() const;
 
@@ -66,6 +69,7 @@ private:
 
     void letGoOfEdge();
     void showTitle();
+    [[nodiscard]] QString navigationHint(const ToolInfo& tool) const;
     void showActionStates();
     void showFrameLine(const FrameStats& stats);
 
@@ -74,6 +78,7 @@ private:
     ShownFriends shownFriends_{friends_};
     Selection selection_;
     std::map<std::string, QAction*, std::less<>> actions_;
+    CommandKeys* commandKeys_ = nullptr;
     Viewport* viewport_ = nullptr;
     MessageBar* messages_ = nullptr;
     ReadingLine* readingLine_ = nullptr;

@@ -5,12 +5,16 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QMenuBar>
+#include <QRegularExpression>
 #include <QSettings>
 #include <QStatusBar>
 #include <QToolBar>
 #include <QVBoxLayout>
 
+#include "model/core/check.h"
 #include "ui/actions.h"
+#include "ui/command_keys.h"
+#include "ui/command_text.h"
 #include "ui/file_menus.h"
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
@@ -19,8 +23,27 @@
 #include "ui/recovery_bar.h"
 #include "ui/tool_settings_store.h"
 #include "ui/tools/tool_list.h"
+#include "ui/viewport/navigation_presets.h"
 
 namespace knotspan {
+
+namespace {
+
+// "{view.nets}" becomes the key that the action has now, or its name where it has none.
+QString withKeys(QString sentence, const MainWindow& window)
+{
+    static const QRegularExpression kPlace("\\{([A-Za-z.]+)\\}");
+    for (auto place = kPlace.match(sentence); place.hasMatch(); place = kPlace.match(sentence)) {
+        const QAction* named = window.action(place.captured(1).toStdString());
+        check(named != nullptr, "a sentence names actions that there are");
+        const QString key = named->shortcut().toString(QKeySequence::NativeText);
+        const QString shown = key.isEmpty() ? QString("\"%1\"").arg(plainTextOf(*named)) : key;
+        sentence.replace(place.capturedStart(), place.capturedLength(), shown);
+    }
+    return sentence;
+}
+
+}  // namespace
 
 void MainWindow::makeCentre()
 {
@@ -50,9 +73,6 @@ void MainWindow::makeActions()
         QList<QKeySequence> keys(info.shortcuts.begin(), info.shortcuts.end());
         made->setShortcuts(keys);
         made->setStatusTip(translatedAction(info.tip));
-        const QString key = keys.isEmpty() ? QString() : keys.first().toString(QKeySequence::NativeText);
-        made->setToolTip(key.isEmpty() ? translatedAction(info.tip)
-                                       : QString("%1 (%2)").arg(translatedAction(info.tip), key));
         made->setCheckable(info.isChecked != nullptr);
         connect(made, &QAction::triggered, this, [this, &info](bool checked) {
             if (viewport_->isDragging() && !info.whileDragging)
@@ -93,12 +113,18 @@ void MainWindow::makeMenus()
         QMenu& menu = *menuBar()->addMenu(translatedAction(shown.title));
         if (menuName == "file")
             addSamplesMenu(menu, *files_);
+        QMenu* submenu = nullptr;
         for (const ActionInfo& info : actionList()) {
             if (menuOf(info) != menuName)
                 continue;
             if (info.separated)
                 menu.addSeparator();
-            menu.addAction(action(info.id));
+            if (info.submenu == nullptr)
+                submenu = nullptr;
+            else if (const QString title = translatedAction(info.submenu);
+                     submenu == nullptr || submenu->title() != title)
+                submenu = menu.addMenu(title);
+            (submenu == nullptr ? menu : *submenu).addAction(action(info.id));
             if (std::string_view(info.id) == "file.open")
                 addRecentMenu(menu, *files_);
         }
@@ -133,6 +159,16 @@ void MainWindow::makeToolBar()
     }
 }
 
+// How to turn the view while that is the tool, and where to read more.
+QString MainWindow::navigationHint(const ToolInfo& tool) const
+{
+    const NavigationPreset& navigation = viewport_->navigation();
+    const QString gesture = navigation.leftOrbits && !tool.takesAll
+                                ? tr("Left drag elsewhere")
+                                : gesturesFor(navigation, ViewTurn::orbit);
+    return withKeys(tr("%1 turns the view, {help.keys} lists the keys.").arg(gesture), *this);
+}
+
 void MainWindow::makeStatusBar()
 {
     auto* hint = new QLabel;
@@ -141,11 +177,13 @@ void MainWindow::makeStatusBar()
     const auto showHint = [this, hint] {
         for (const ToolInfo& tool : tools())
             if (tool.name == viewport_->tool())
-                hint->setText(translatedAction(tool.hint));
+                hint->setText(withKeys(translatedAction(tool.hint), *this) + ' ' + navigationHint(tool));
         hint->setToolTip(hint->text());
     };
     showHint();
     connect(viewport_, &Viewport::toolChanged, hint, showHint);
+    connect(viewport_, &Viewport::navigationChanged, hint, showHint);
+    connect(commandKeys_, &CommandKeys::changed, hint, showHint);
     hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // a narrow window cuts it off
     statusBar()->addWidget(hint, 1);
     frameLine_ = new QLabel;
@@ -199,6 +237,11 @@ void MainWindow::restoreLayout()
     restoreState(settings.value("layout").toByteArray());
     viewport_->setToolSettings(storedToolSettings());
     shownFriends_.showLines(settings.value("friendEdges", false).toBool());
+    viewport_->setNavigation(findNavigation(settings.value("navigation").toString()));
+    connect(viewport_, &Viewport::navigationChanged, this, [this] {
+        QSettings().setValue("navigation", viewport_->navigation().name);
+        showActionStates();
+    });
 }
 
 }  // namespace knotspan

@@ -6,6 +6,7 @@
 #include "ui/action_rows.h"
 #include "ui/speed_dialog.h"
 #include "ui/tool_settings_store.h"
+#include "ui/viewport/navigation_presets.h"
 
 namespace knotspan {
 
@@ -64,6 +65,20 @@ void showSpeed(Window& window)
         window, [&] { return new SpeedDialog(window.document(), window.viewport(), &window); });
     if (!dialog.hasFindings() && !dialog.isMeasuring())
         dialog.measure();
+}
+
+template <size_t k>
+ActionInfo navigationRow(const char* id)
+{
+    const NavigationPreset& preset = navigationPresets()[k];
+    return {.id = id,
+            .text = preset.title,
+            .shortcuts = {},
+            .tip = preset.tip,
+            .run = [](Window& w, bool) { w.viewport().setNavigation(navigationPresets()[k]); },
+            .isChecked = [](Window& w) { return &w.viewport().navigation() == &navigationPresets()[k]; },
+            .separated = k == 0,
+            .submenu = TEXT("Turn the &view")};
 }
 
 }  // namespace
@@ -182,6 +197,10 @@ const std::vector<ActionInfo>& viewActions()
          .tip = TEXT("While the hand moves, let the tolerance loosen so far that 60 pictures a second come"),
          .run = [](Window& w, bool on) { setLoosening(w, on); },
          .isChecked = [](Window& w) { return w.viewport().toolSettings().loosen; }},
+        navigationRow<0>("view.navigatePlain"),
+        navigationRow<1>("view.navigateRhino"),
+        navigationRow<2>("view.navigateBlender"),
+        navigationRow<3>("view.navigateMaya"),
         {.id = "view.moreCells",
          .text = TEXT("&More cells"),
          .shortcuts = {QKeySequence("+")},

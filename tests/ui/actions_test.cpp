@@ -99,20 +99,6 @@ TEST(KeysDialog, ComesUpAgainAfterItWasClosed)
     EXPECT_EQ(window.findChildren<KeysDialog*>().size(), 1);
 }
 
-TEST(KeysDialog, ListsEveryKeyAndTheMouse)
-{
-    const QString content = KeysDialog::content();
-    for (const ActionInfo& action : actionList()) {
-        if (action.shortcuts.empty())
-            continue;
-        EXPECT_TRUE(content.contains(QString(action.tip).toHtmlEscaped())) << action.id;
-        for (const QKeySequence& key : action.shortcuts)
-            EXPECT_TRUE(content.contains(key.toString(QKeySequence::NativeText))) << action.id;
-    }
-    for (const MouseInfo& mouse : mouseList())
-        EXPECT_TRUE(content.contains(QString(mouse.gesture).toHtmlEscaped())) << mouse.gesture;
-}
-
 TEST(Questions, OffersEveryFormat)
 {
     const QString reading = readFilters().join('\n');

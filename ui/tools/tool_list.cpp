@@ -16,17 +16,17 @@ const std::vector<ToolInfo>& tools()
     static const std::vector<ToolInfo> kTools = {
         {"select", TEXT("&Select and move"), "V",
          TEXT("Click to select, drag a control point or a handle to move it"),
-         TEXT("Click a surface to see its control points (N: of all), drag one to pull the surface. "
-              "Left drag elsewhere turns the view, H lists the keys."),
+         TEXT("Click a surface to see its control points ({view.nets}: of all), drag one to pull the "
+              "surface."),
          []() -> std::unique_ptr<Tool> { return std::make_unique<MoveControlPoint>(); }},
         {"box", TEXT("&Box select"), "B", TEXT("Select what lies in a box drawn around it"),
          TEXT("Drag a box around control points, or around objects where no control points show. Shift adds, "
-              "Ctrl takes in or out, Alt + drag turns the view."),
-         []() -> std::unique_ptr<Tool> { return std::make_unique<RegionSelect>(RegionShape::box); }},
+              "Ctrl takes in or out."),
+         []() -> std::unique_ptr<Tool> { return std::make_unique<RegionSelect>(RegionShape::box); }, true},
         {"lasso", TEXT("&Lasso select"), "L", TEXT("Select what lies in a line drawn around it"),
          TEXT("Draw around control points, or around objects where no control points show. Shift adds, Ctrl "
-              "takes in or out, Alt + drag turns the view."),
-         []() -> std::unique_ptr<Tool> { return std::make_unique<RegionSelect>(RegionShape::lasso); }},
+              "takes in or out."),
+         []() -> std::unique_ptr<Tool> { return std::make_unique<RegionSelect>(RegionShape::lasso); }, true},
         {"weight", TEXT("&Weight"), "W", TEXT("Drag control points up or down to change their weights"),
          TEXT("Drag a control point up to draw the surface to it, down to let it go; Shift makes it fine."),
          []() -> std::unique_ptr<Tool> { return std::make_unique<WeightDrag>(); }},
@@ -35,17 +35,20 @@ const std::vector<ToolInfo>& tools()
          TEXT("Click where a knot is to go: of U, with Shift of V, with Ctrl of both. The shape stays."),
          []() -> std::unique_ptr<Tool> { return std::make_unique<KnotInsertion>(); }},
         {"grab", TEXT("&Grab brush"), "G", TEXT("Pull the surface under a round brush"),
-         TEXT("Drag the surface: control points under the circle follow. [ and ] change its size."),
+         TEXT("Drag the surface: control points under the circle follow. {tools.smallerBrush} and "
+              "{tools.largerBrush} change its size."),
          []() -> std::unique_ptr<Tool> { return std::make_unique<Brush>(BrushKind::grab); }},
         {"smooth", TEXT("S&mooth brush"), "S", TEXT("Smooth the surface under a round brush"),
-         TEXT("Stroke the surface to even its control points out. [ and ] change the circle's size."),
+         TEXT("Stroke the surface to even its control points out. {tools.smallerBrush} and "
+              "{tools.largerBrush} change the circle's size."),
          []() -> std::unique_ptr<Tool> { return std::make_unique<Brush>(BrushKind::smooth); }},
         {"inflate", TEXT("I&nflate brush"), "J", TEXT("Blow the surface up under a round brush"),
          TEXT("Stroke the surface to raise it along its normal, with Ctrl to lower it, with Shift to smooth "
-              "it. [ and ] change the circle's size."),
+              "it. {tools.smallerBrush} and {tools.largerBrush} change the circle's size."),
          []() -> std::unique_ptr<Tool> { return std::make_unique<Brush>(BrushKind::inflate); }},
         {"flatten", TEXT("&Flatten brush"), "T", TEXT("Flatten the surface under a round brush"),
-         TEXT("Stroke the surface to bring it to a plane, with Shift to smooth it. [ and ] change the "
+         TEXT("Stroke the surface to bring it to a plane, with Shift to smooth it. {tools.smallerBrush} and "
+              "{tools.largerBrush} change the "
               "circle's size."),
          []() -> std::unique_ptr<Tool> { return std::make_unique<Brush>(BrushKind::flatten); }},
     };

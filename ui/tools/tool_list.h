@@ -14,8 +14,10 @@ struct ToolInfo {
     const char* text;  // for its action, with a mnemonic
     const char* key;   // its shortcut
     const char* tip;   // a sentence without a full stop
-    const char* hint;  // what the hand does with it, for the status line
+    // What the hand does with it, for the status line; "{view.nets}" stands for the key of that action.
+    const char* hint;
     std::unique_ptr<Tool> (*make)();
+    bool takesAll = false;  // drags that begin on nothing, too
 };
 
 // The first is the one that a new window starts with.

@@ -6,6 +6,8 @@
 #include <QMouseEvent>
 #include <QWheelEvent>
 
+#include "ui/tools/region_select.h"
+#include "ui/viewport/navigation_presets.h"
 #include "ui/viewport/viewport.h"
 
 namespace knotspan {
@@ -20,7 +22,13 @@ constexpr double kTouchpadNotchPx = 60;  // for devices that scroll by pixels
 
 }  // namespace
 
-Input::Input(Viewport& viewport) : viewport_(viewport), info_(&tools().front()), tool_(info_->make()) {}
+Input::Input(Viewport& viewport)
+    : viewport_(viewport),
+      info_(&tools().front()),
+      tool_(info_->make()),
+      box_(std::make_unique<RegionSelect>(RegionShape::box))
+{
+}
 
 Input::~Input() = default;
 
@@ -88,6 +96,13 @@ void Input::setTool(const ToolInfo& tool)
         showCursor();
 }
 
+void Input::show(Overlays& overlays) const
+{
+    tool_->show(context(), overlays);
+    if (boxes_)
+        box_->show(context(), overlays);
+}
+
 void Input::leave()
 {
     resting_.reset();
@@ -125,7 +140,7 @@ bool Input::key(const QKeyEvent& event)
         return cancel();
     if (drag_ != Drag::tool)
         return false;
-    const ToolAnswer answer = tool_->key(context(), event);
+    const ToolAnswer answer = acting().key(context(), event);
     if (answer == ToolAnswer::pass)
         return false;
     follow(answer);
@@ -138,18 +153,11 @@ bool Input::press(const QMouseEvent& event)
     if (drag_ != Drag::none)
         return true;  // a second button during a drag
     const ToolPointer at = pointer(event);
-    const Qt::KeyboardModifiers keys = event.modifiers();
     button_ = event.button();
     pressed_ = last_ = at.position;
     resting_.reset();
-    if (button_ == Qt::MiddleButton) {
-        drag_ = keys.testFlag(Qt::ShiftModifier)     ? Drag::pan
-                : keys.testFlag(Qt::ControlModifier) ? Drag::zoom
-                                                     : Drag::orbit;
-    } else if (button_ == Qt::RightButton) {
-        drag_ = Drag::pan;
-    } else if (button_ == Qt::LeftButton && keys.testFlag(Qt::AltModifier)) {
-        drag_ = Drag::orbit;
+    if (const auto turn = turnBy(viewport_.navigation(), button_, event.modifiers())) {
+        drag_ = *turn == ViewTurn::orbit ? Drag::orbit : *turn == ViewTurn::pan ? Drag::pan : Drag::zoom;
     } else if (button_ == Qt::LeftButton) {
         gesture_ = viewport_.document_.newGesture();
         drag_ = Drag::tool;
@@ -171,17 +179,25 @@ bool Input::move(const QMouseEvent& event)
         return true;
     }
     const double still = kStillPx * viewport_.presenter_->pixelRatio();
-    if (drag_ == Drag::undecided && glm::length(at.position - pressed_) >= still) {
-        drag_ = Drag::orbit;
-        showCursor();
-    }
+    if (drag_ == Drag::undecided && glm::length(at.position - pressed_) >= still)
+        takeLeftOver(at);
     if (drag_ == Drag::tool)
-        follow(tool_->move(context(), at));
+        follow(acting().move(context(), at));
     else if (drag_ != Drag::undecided) {
         navigate(at.position - last_);
         last_ = at.position;
     }
     return true;
+}
+
+// A drag that the tool has passed on.
+void Input::takeLeftOver(const ToolPointer& at)
+{
+    boxes_ = !viewport_.navigation().leftOrbits;
+    drag_ = boxes_ ? Drag::tool : Drag::orbit;
+    if (boxes_)
+        follow(box_->press(context(), {pressed_, at.modifiers}));
+    showCursor();
 }
 
 bool Input::release(const QMouseEvent& event)
@@ -196,8 +212,9 @@ void Input::end(const ToolPointer& at)
 {
     const Drag ended = drag_;
     if (ended == Drag::tool)
-        follow(tool_->release(context(), at));
+        follow(acting().release(context(), at));
     drag_ = Drag::none;
+    boxes_ = false;
     if (ended == Drag::undecided)
         tool_->click(context(), at);
     showCursor();
@@ -215,11 +232,12 @@ void Input::follow(ToolAnswer answer)
         viewport_.document_.finishGesture(gesture_);
         break;
     case ToolAnswer::revert:
-        tool_->cancel();
+        acting().cancel();
         viewport_.document_.cancelGesture(gesture_);
         break;
     }
     drag_ = Drag::none;
+    boxes_ = false;
     viewport_.requestDraw();  // without what the tool showed meanwhile
 }
 
@@ -272,7 +290,7 @@ void Input::showCursor()
     const Qt::CursorShape shape = drag_ == Drag::pan     ? Qt::ClosedHandCursor
                                   : drag_ == Drag::orbit ? Qt::SizeAllCursor
                                   : drag_ == Drag::zoom  ? Qt::SizeVerCursor
-                                                         : tool_->cursor();
+                                                         : acting().cursor();
     viewport_.presenter_->setCursor(shape);
 }
 

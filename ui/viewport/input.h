@@ -35,7 +35,7 @@ public:
     void setTool(const ToolInfo& tool);
     [[nodiscard]] const ToolInfo& tool() const { return *info_; }
     // What the picture is to show of the tool.
-    void show(Overlays& overlays) const { tool_->show(context(), overlays); }
+    void show(Overlays& overlays) const;
     // Whether the hand is moving something: the model or the view.
     [[nodiscard]] bool isBusy() const { return drag_ != Drag::none && drag_ != Drag::undecided; }
     // Whether a tool is in the middle of a gesture.
@@ -51,6 +51,8 @@ private:
     bool takesFromShortcuts(QKeyEvent& event);
     bool key(const QKeyEvent& event);
     bool modifier(const QKeyEvent& event, bool isDown);
+    [[nodiscard]] Tool& acting() const { return boxes_ ? *box_ : *tool_; }
+    void takeLeftOver(const ToolPointer& at);
     void end(const ToolPointer& at);
     void leave();
     void navigate(const Vec2& way);
@@ -62,6 +64,8 @@ private:
     Viewport& viewport_;
     const ToolInfo* info_;
     std::unique_ptr<Tool> tool_;
+    std::unique_ptr<Tool> box_;  // for drags that nobody else takes, where they do not orbit
+    bool boxes_ = false;         // the drag is its
     Drag drag_ = Drag::none;
     Qt::MouseButton button_ = Qt::NoButton;
     int gesture_ = 0;

@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 
 #include "ui/viewport/input.h"
+#include "ui/viewport/navigation_presets.h"
 
 namespace knotspan {
 
@@ -16,6 +17,7 @@ Viewport::Viewport(Document& document, Selection& selection, QWidget* parent)
     : QWidget(parent),
       document_(document),
       selection_(selection),
+      navigation_(&navigationPresets().front()),
       input_(std::make_unique<Input>(*this))
 {
     setAccessibleName(tr("Viewport"));
@@ -134,6 +136,13 @@ void Viewport::setTool(std::string_view name)
 std::string_view Viewport::tool() const
 {
     return input_->tool().name;
+}
+
+void Viewport::setNavigation(const NavigationPreset& preset)
+{
+    cancelDrag();
+    navigation_ = &preset;
+    Q_EMIT navigationChanged();
 }
 
 void Viewport::setCamera(const Camera& camera)

@@ -20,6 +20,7 @@ class QStackedLayout;
 namespace knotspan {
 
 class Input;
+struct NavigationPreset;
 
 class Viewport : public QWidget {
     Q_OBJECT
@@ -46,6 +47,10 @@ public:
     // One of tools(), by its name; others are passed over.
     void setTool(std::string_view name);
     [[nodiscard]] std::string_view tool() const;
+
+    // Which buttons turn the view; one of navigationPresets().
+    [[nodiscard]] const NavigationPreset& navigation() const { return *navigation_; }
+    void setNavigation(const NavigationPreset& preset);
 
     // A named view of everything, or of the selected objects. With no renderer the camera moves all the same.
     void look(std::string_view view);
@@ -82,6 +87,7 @@ Q_SIGNALS:
     void rendererChanged();
     void toolSettingsChanged();
     void toolChanged();
+    void navigationChanged();
     // What a tool has to say while the hand is busy; empty: nothing more.
     void hint(const QString& sentence);
     void failed(const QString& sentence);
@@ -108,6 +114,7 @@ private:
     ShownFriends* friends_ = nullptr;
     Frame frame_;
     ToolSettings toolSettings_;
+    const NavigationPreset* navigation_;
     Pace pace_;
     double loosened_ = 0;  // the next frame's tolerance, where it is looser than the frame's own
     QTimer settling_;      // runs while the last picture is looser than asked for
