@@ -4,6 +4,7 @@
 #include <QSettings>
 
 #include "ui/action_rows.h"
+#include "ui/appearance.h"
 #include "ui/speed_dialog.h"
 #include "ui/tool_settings_store.h"
 #include "ui/viewport/navigation_presets.h"
@@ -79,6 +80,19 @@ ActionInfo navigationRow(const char* id)
             .isChecked = [](Window& w) { return &w.viewport().navigation() == &navigationPresets()[k]; },
             .separated = k == 0,
             .submenu = TEXT("Turn the &view")};
+}
+
+template <Appearance which>
+ActionInfo appearanceRow(const char* id, const char* text, const char* tip)
+{
+    return {.id = id,
+            .text = text,
+            .shortcuts = {},
+            .tip = tip,
+            .run = [](Window&, bool) { setAppearance(which); },
+            .isChecked = [](Window&) { return appearance() == which; },
+            .separated = which == Appearance::system,
+            .submenu = TEXT("Appea&rance")};
 }
 
 }  // namespace
@@ -214,6 +228,12 @@ const std::vector<ActionInfo>& viewActions()
          .tip = TEXT("With the path cpu: draw every surface as one cell less each way (sampling fixed:N)"),
          .run = [](Window& w, bool) { changeUniformCells(w, -1); },
          .isEnabled = drawsOnCpu},
+        appearanceRow<Appearance::system>("view.appearanceSystem", TEXT("As the &system"),
+                                          TEXT("Windows light or dark as the system has them")),
+        appearanceRow<Appearance::light>("view.appearanceLight", TEXT("&Light"),
+                                         TEXT("Light windows, whatever the system has")),
+        appearanceRow<Appearance::dark>("view.appearanceDark", TEXT("&Dark"),
+                                        TEXT("Dark windows, whatever the system has")),
         {.id = "view.speed",
          .text = TEXT("Speed and &accuracy…"),
          .shortcuts = {QKeySequence("Ctrl+M")},

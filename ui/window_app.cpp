@@ -8,6 +8,7 @@
 #include <QIcon>
 #include <QTemporaryDir>
 
+#include "ui/appearance.h"
 #include "ui/document_files.h"
 #include "ui/main_window.h"
 #include "ui/recovery.h"
@@ -64,6 +65,7 @@ int runWindow(int& argc, char** argv, const std::vector<std::filesystem::path>& 
     QGuiApplication::setDesktopFileName("knotspan");
     QApplication::setWindowIcon(icon());
 
+    restoreAppearance();
     MainWindow window;
     window.keepForRecovery(recoveryFolder(), autosaveInterval());
     if (files.empty())

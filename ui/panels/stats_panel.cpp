@@ -1,8 +1,24 @@
 #include "ui/panels/stats_panel.h"
 
 #include <QHeaderView>
+#include <QStyledItemDelegate>
 
 namespace knotspan {
+
+namespace {
+
+// Not by a style sheet: it would keep the colours of the palette that it was made under.
+class RoomyRows : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override
+    {
+        return QStyledItemDelegate::sizeHint(option, index) + QSize(12, 4);
+    }
+};
+
+}  // namespace
 
 StatsPanel::StatsPanel(QWidget* parent) : QTreeWidget(parent)
 {
@@ -16,7 +32,7 @@ StatsPanel::StatsPanel(QWidget* parent) : QTreeWidget(parent)
     setSelectionMode(QAbstractItemView::NoSelection);
     setFocusPolicy(Qt::TabFocus);
     setFrameShape(QFrame::NoFrame);
-    setStyleSheet("QTreeView::item { padding: 2px 6px; }");
+    setItemDelegate(new RoomyRows(this));
     setStatusTip(tr("What the last frame cost and did"));
     for (const StatField& field : statFields()) {
         auto* row = new QTreeWidgetItem(this, {QString::fromStdString(field.label), QString()});
