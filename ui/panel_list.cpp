@@ -3,6 +3,7 @@
 #include "ui/main_window.h"
 #include "ui/panels/friends_panel.h"
 #include "ui/panels/history_panel.h"
+#include "ui/panels/measures_panel.h"
 #include "ui/panels/objects_panel.h"
 #include "ui/panels/rendering_panel.h"
 #include "ui/panels/stats_panel.h"
@@ -40,6 +41,11 @@ QWidget* makeHistory(MainWindow& window)
     return new HistoryPanel(window.document());
 }
 
+QWidget* makeMeasures(MainWindow& window)
+{
+    return new MeasuresPanel(window.document(), window.selection(), window.viewport());
+}
+
 QWidget* makeStats(MainWindow& window)
 {
     auto* panel = new StatsPanel;
@@ -58,6 +64,8 @@ const std::vector<PanelInfo>& panelList()
          "objects-dock"},
         {"tool-dock", TITLE("Tool settings"), Qt::LeftDockWidgetArea, makeTool, "D", true, "friends-dock"},
         {"history-dock", TITLE("History"), Qt::LeftDockWidgetArea, makeHistory, "Ctrl+H", true, "tool-dock"},
+        {"measures-dock", TITLE("Measures"), Qt::LeftDockWidgetArea, makeMeasures, "Shift+O", true,
+         "history-dock"},
         {"stats-dock", TITLE("Statistics"), Qt::RightDockWidgetArea, makeStats},
     };
     return kList;

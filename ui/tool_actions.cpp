@@ -78,6 +78,7 @@ const std::vector<ActionInfo>& toolActions()
         toolRow<6>("tools.smooth"),
         toolRow<7>("tools.inflate"),
         toolRow<8>("tools.flatten"),
+        toolRow<9>("tools.probe"),
         {.id = "tools.largerBrush",
          .text = TEXT("L&arger brush"),
          .shortcuts = {QKeySequence("]")},

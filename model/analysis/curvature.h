@@ -23,4 +23,14 @@ enum class CurvatureKind : int { mean, gauss, largest, smallest };
 // would not be finite.
 [[nodiscard]] std::optional<Curvature> curvature(const SurfacePoint& point);
 
+// Unit, perpendicular to each other and to the normal; which of a direction's two ways means nothing.
+struct PrincipalDirections {
+    Vec3 largest{0};   // that the surface has its largest curvature along
+    Vec3 smallest{0};  // and its smallest
+};
+
+// Nothing where there is no curvature, nor at umbilics, where both are the same to about ten digits: every
+// direction is a principal one there.
+[[nodiscard]] std::optional<PrincipalDirections> principalDirections(const SurfacePoint& point);
+
 }  // namespace knotspan

@@ -10,6 +10,7 @@
 #include "model/document/document.h"
 #include "model/friends/friends.h"
 #include "model/sculpting/point_drag.h"
+#include "ui/tools/probes.h"
 #include "ui/tools/selection.h"
 
 namespace knotspan {
@@ -80,6 +81,7 @@ struct ToolSettings {
 struct ToolContext {
     Document& document;
     Selection& selection;
+    Probes& probes;
     const Camera& camera;
     int width = 0;  // of the picture, in pixels
     int height = 0;

@@ -3,6 +3,7 @@
 #include "ui/tools/brush.h"
 #include "ui/tools/knot_insertion.h"
 #include "ui/tools/move_control_point.h"
+#include "ui/tools/probe_tool.h"
 #include "ui/tools/region_select.h"
 #include "ui/tools/weight_drag.h"
 
@@ -51,6 +52,11 @@ const std::vector<ToolInfo>& tools()
               "{tools.largerBrush} change the "
               "circle's size."),
          []() -> std::unique_ptr<Tool> { return std::make_unique<Brush>(BrushKind::flatten); }},
+        {"probe", TEXT("&Probe"), "O",
+         TEXT("Measure the surface under the cursor: place, normal, curvatures"),
+         TEXT("Point at a surface to see place, normal and curvatures; click to pin a probe that follows it. "
+              "The panel Measures lists them."),
+         []() -> std::unique_ptr<Tool> { return std::make_unique<ProbeTool>(); }},
     };
     return kTools;
 }

@@ -73,6 +73,7 @@ ToolContext Input::context() const
         settings.friends = viewport_.friends_->friends().tolerances();
     return {viewport_.document_,
             viewport_.selection_,
+            viewport_.probes_,
             viewport_.frame_.camera,
             size.width,
             size.height,

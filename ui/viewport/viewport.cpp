@@ -43,16 +43,19 @@ Viewport::Viewport(Document& document, Selection& selection, QWidget* parent)
     connect(&document_, &Document::documentReplaced, this, [this] {
         cancelDrag();
         selection_.clear();
+        probes_.clear();
         viewPending_ = true;
         frame_.cullingCamera.reset();  // it stood before another model
         Q_EMIT frameChanged();
     });
     connect(&document_, &Document::sceneChanged, this, [this] {
         selection_.keepOnly(document_.scene());
+        probes_.keepOnly(document_.scene());
         scenePending_ = true;
         requestDraw();
     });
     connect(&selection_, &Selection::changed, this, &Viewport::requestDraw);
+    connect(&probes_, &Probes::changed, this, &Viewport::requestDraw);
     settling_.setSingleShot(true);
     connect(&settling_, &QTimer::timeout, this, &Viewport::settle);
     frame_.camera.up = {0, 0, 1};
@@ -64,6 +67,7 @@ Viewport::~Viewport()
 {
     document_.disconnect(this);
     selection_.disconnect(this);
+    probes_.disconnect(this);
     usePresenter(nullptr);
 }
 

@@ -59,6 +59,8 @@ public:
 
     // Draws what it has to show, from now on; it outlives the viewport.
     void setFriends(ShownFriends& friends);
+    // What is measured where; lines at the places are in the picture.
+    [[nodiscard]] Probes& probes() { return probes_; }
     // Goes to a point of the model, so that about `units` around it fill the picture, and turns so far that
     // one looks against `outward`; a zero vector: not at all.
     void zoomTo(const Vec3& point, double units, const Vec3& outward);
@@ -113,6 +115,7 @@ private:
     Selection& selection_;
     ShownFriends* friends_ = nullptr;
     Frame frame_;
+    Probes probes_;
     ToolSettings toolSettings_;
     const NavigationPreset* navigation_;
     Pace pace_;

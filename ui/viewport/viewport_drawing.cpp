@@ -6,6 +6,7 @@
 #include <QTimer>
 
 #include "ui/viewport/input.h"
+#include "ui/viewport/probe_lines.h"
 #include "ui/viewport/viewport.h"
 
 namespace knotspan {
@@ -138,6 +139,10 @@ void Viewport::addSelectionTo(Overlays& overlays) const
         overlays.marks.push_back({hovered->object, hovered->index, kHoverColour});
     overlays.hovered = selection_.hoveredObject();
     input_->show(overlays);
+    const PictureSize size = pictureSize();
+    const auto lines = probeLines(document_.scene(), probes_,
+                                  {frame_.camera, size.width, size.height, presenter_->pixelRatio()});
+    overlays.strokes.insert(overlays.strokes.end(), lines.begin(), lines.end());
 }
 
 }  // namespace knotspan

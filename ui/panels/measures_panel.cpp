@@ -1,0 +1,22 @@
+#include "ui/panels/measures_panel.h"
+
+#include <QVBoxLayout>
+
+#include "ui/panels/probe_view.h"
+
+namespace knotspan {
+
+MeasuresPanel::MeasuresPanel(Document& document, Selection& /*selection*/, Viewport& viewport, QWidget* parent)
+    : QScrollArea(parent)
+{
+    setObjectName("measures-panel");
+    auto* column = new QWidget(this);
+    auto* layout = new QVBoxLayout(column);
+    layout->addWidget(new ProbeView(document, viewport.probes(), column), 1);
+    setWidget(column);
+    setWidgetResizable(true);
+    setFrameShape(QFrame::NoFrame);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+}
+
+}  // namespace knotspan
