@@ -3,16 +3,18 @@
 #include <QVBoxLayout>
 
 #include "ui/panels/probe_view.h"
+#include "ui/panels/properties_view.h"
 
 namespace knotspan {
 
-MeasuresPanel::MeasuresPanel(Document& document, Selection& /*selection*/, Viewport& viewport, QWidget* parent)
+MeasuresPanel::MeasuresPanel(Document& document, Selection& selection, Viewport& viewport, QWidget* parent)
     : QScrollArea(parent)
 {
     setObjectName("measures-panel");
     auto* column = new QWidget(this);
     auto* layout = new QVBoxLayout(column);
     layout->addWidget(new ProbeView(document, viewport.probes(), column), 1);
+    layout->addWidget(new PropertiesView(document, selection, column));
     setWidget(column);
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
