@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -69,6 +70,21 @@ struct Stroke {
     [[nodiscard]] bool operator==(const Stroke&) const = default;
 };
 
+// Straight lines in the model itself, of one colour and width. What surfaces hide of them does not show.
+struct SpaceLine {
+    Vec3 from{0};  // model space
+    Vec3 to{0};
+
+    [[nodiscard]] bool operator==(const SpaceLine&) const = default;
+};
+struct SpaceLines {
+    std::vector<SpaceLine> lines;
+    std::uint32_t colour = kHoverColour;
+    float widthPx = 1.5F;
+};
+// Equal where it is the same one: so whoever shows the same lines again hands the same pointer on.
+using SharedSpaceLines = std::shared_ptr<const SpaceLines>;
+
 struct Overlays {
     bool controlNets = false;           // of all objects that are not locked
     std::vector<ObjectId> netsOf;       // of these, whatever controlNets says
@@ -80,8 +96,9 @@ struct Overlays {
     std::vector<ObjectId> highlighted;  // objects drawn as selected
     std::optional<ObjectId> hovered;    // drawn as what a click would take
     std::vector<ControlPointMark> marks;
-    std::vector<EdgeLine> edgeLines;  // what surfaces hide of them does not show
-    std::vector<IsoLine> isoLines;    // likewise
+    std::vector<EdgeLine> edgeLines;           // what surfaces hide of them does not show
+    std::vector<IsoLine> isoLines;             // likewise
+    std::vector<SharedSpaceLines> spaceLines;  // none of them null
     std::vector<Stroke> strokes;
 
     [[nodiscard]] bool operator==(const Overlays&) const = default;

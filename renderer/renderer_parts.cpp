@@ -48,6 +48,7 @@ Renderer::Parts::Parts(std::unique_ptr<Instance> madeInstance, const RendererOpt
       edgeLines(device, bindings, uploader),
       normalLines(device, bindings),
       marks(device, bindings, uploader),
+      spaceLines(device, bindings, uploader),
       strokes(device, bindings, uploader),
       spanPlaceRecords(bindings, uploader, BINDING_SPAN_PLACES)
 {
@@ -168,6 +169,7 @@ FrameStats Renderer::Parts::draw(const Frame& wantedFrame, bool capture)
         facing.forget();
         edgeLines.forget();
         marks.forget();
+        spaceLines.forget();
         strokes.forget();
         spanPlaceRecords.forget();
         sceneIsHeld_ = false;

@@ -14,6 +14,7 @@
 #include "renderer/overlays/normal_lines.h"
 #include "renderer/overlays/reference_meshes.h"
 #include "renderer/overlays/rejected_outlines.h"
+#include "renderer/overlays/space_lines.h"
 #include "renderer/overlays/strokes.h"
 #include "renderer/paths/surface_path.h"
 #include "renderer/point_evaluation.h"
@@ -70,6 +71,7 @@ struct Renderer::Parts {
     EdgeLines edgeLines;
     NormalLines normalLines;
     Marks marks;
+    SpaceLinesOverlay spaceLines;
     Strokes strokes;
     SentRecords<float> spanPlaceRecords;
     std::map<std::pair<PathId, PathVariant>, std::unique_ptr<SurfacePath>>
@@ -105,7 +107,7 @@ private:
                            std::chrono::steady_clock::time_point started);
     void record(VkCommandBuffer commands, const Frame& frame, const SurfacePath& path);
     void prepareOverlays(const Overlays& overlays);
-    void drawOverlays(VkCommandBuffer commands, const Overlays& overlays) const;
+    void drawOverlays(VkCommandBuffer commands, const Frame& frame) const;
     // The objects on the device whose nets are shown.
     [[nodiscard]] std::vector<const Resident*> shownNets(const Overlays& overlays) const;
     [[nodiscard]] std::vector<CapturedVertex> named(const std::vector<gpu::CapturedRecord>& records) const;

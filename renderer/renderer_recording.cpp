@@ -48,7 +48,7 @@ void Renderer::Parts::record(VkCommandBuffer commands, const Frame& frame, const
     meshes.draw(commands, frame.camera, frame.overlays.highlighted);
     if (anything && frame.cullingCamera)
         rejectedOutlines.draw(commands, scene.ksquadCount());
-    drawOverlays(commands, frame.overlays);
+    drawOverlays(commands, frame);
     targets->end(commands);
     clock.stop(commands);
     if (anything && frameRecord_->judgedBits != 0)
@@ -61,18 +61,22 @@ void Renderer::Parts::prepareOverlays(const Overlays& overlays)
     const Specialization specialization = specializationFor(scene.evaluator());
     edgeLines.prepare(overlays.edgeLines, overlays.isoLines, scene.residents(), specialization);
     marks.prepare(overlays.marks, scene.residents());
+    spaceLines.prepare(overlays.spaceLines);
     strokes.prepare(overlays.strokes);
     if (overlays.normals)
         normalLines.prepare(specialization);
 }
 
 // What was prepared may be of another frame than one that shows none of it.
-void Renderer::Parts::drawOverlays(VkCommandBuffer commands, const Overlays& overlays) const
+void Renderer::Parts::drawOverlays(VkCommandBuffer commands, const Frame& frame) const
 {
+    const Overlays& overlays = frame.overlays;
     if (overlays.normals && scene.ksquadCount() > 0)
         normalLines.draw(commands, scene.ksquadCount());
     if (!overlays.edgeLines.empty() || !overlays.isoLines.empty())
         edgeLines.draw(commands);
+    if (!overlays.spaceLines.empty())
+        spaceLines.draw(commands, frame.camera);
     for (const Resident* resident : shownNets(overlays))
         controlNet.draw(commands, scene.indexOf(*resident), resident->object->surface,
                         {overlays.points, overlays.hulls});

@@ -46,6 +46,13 @@ void freezeCulling(Window& window, bool on)
     });
 }
 
+void showCombs(Window& window, bool on)
+{
+    CombSettings settings = window.viewport().combs().settings();
+    settings.shown = on;
+    window.viewport().combs().setSettings(settings);
+}
+
 void showFriends(Window& window, bool on)
 {
     window.shownFriends().showLines(on);
@@ -199,6 +206,12 @@ const std::vector<ActionInfo>& viewActions()
          .tip = TEXT("Show how smoothly surfaces meet, edge by edge, in the colours of the panel Friends"),
          .run = [](Window& w, bool on) { showFriends(w, on); },
          .isChecked = [](Window& w) { return w.shownFriends().linesAreShown(); }},
+        {.id = "view.combs",
+         .text = TEXT("Curvature com&bs"),
+         .shortcuts = {QKeySequence("Shift+B")},
+         .tip = TEXT("Show how iso-curves of the selected objects bend; the panel Measures has more"),
+         .run = [](Window& w, bool on) { showCombs(w, on); },
+         .isChecked = [](Window& w) { return w.viewport().combs().settings().shown; }},
         {.id = "view.freezeCulling",
          .text = TEXT("Free&ze culling"),
          .shortcuts = {QKeySequence("Shift+C")},

@@ -46,7 +46,8 @@
 #define BINDING_MESH_VERTICES 41     // of the reference meshes
 #define BINDING_MESH_TRIANGLES 42
 #define BINDING_SPAN_PLACES 43       // where spans of surfaces lie along their parameters, or along their iso-curves
-#define BINDING_COUNT 44
+#define BINDING_SPACE_LINES 44       // straight lines in the model
+#define BINDING_COUNT 45
 
 // Specialization constants.
 #define KNOTSPAN_LINES_CONSTANT 0      // of the overlays: lines, not points

@@ -338,6 +338,19 @@ struct StrokeRecord {
     float halfWidthTo;
 };
 
+// A straight line in the model, from the overlay's own origin on.
+struct SpaceLineRecord {
+    vec3 from;
+    vec3 to;
+    uint colour;      // 0xRRGGBB
+    float halfWidth;  // pixels
+};
+
+// Push constants of those.
+struct SpaceLineConstants {
+    mat4x3 modelView;  // from that origin to eye-relative view space
+};
+
 #ifdef __cplusplus
 static_assert(sizeof(FrameRecord) == 196 && sizeof(SurfaceRecord) == 96 && sizeof(SurfaceView) == 80);
 static_assert(sizeof(BorderSide) == 8 && sizeof(BorderPiece) == 32 && sizeof(BorderUse) == 8);
@@ -350,6 +363,7 @@ static_assert(sizeof(IndexedDrawRecord) == 20 && sizeof(VertexRecord) == 56 && s
 static_assert(sizeof(DrawRecord) == 16 && sizeof(OverlayConstants) == 32);
 static_assert(sizeof(MeshConstants) == 64);
 static_assert(sizeof(MarkRecord) == 16 && sizeof(StrokeRecord) == 28);
+static_assert(sizeof(SpaceLineRecord) == 32 && sizeof(SpaceLineConstants) == 48);
 }  // namespace knotspan::gpu
 #endif
 #endif

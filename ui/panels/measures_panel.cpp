@@ -2,6 +2,7 @@
 
 #include <QVBoxLayout>
 
+#include "ui/panels/combs_form.h"
 #include "ui/panels/probe_view.h"
 #include "ui/panels/properties_view.h"
 
@@ -15,6 +16,7 @@ MeasuresPanel::MeasuresPanel(Document& document, Selection& selection, Viewport&
     auto* layout = new QVBoxLayout(column);
     layout->addWidget(new ProbeView(document, viewport.probes(), column), 1);
     layout->addWidget(new PropertiesView(document, selection, column));
+    layout->addWidget(new CombsForm(document, viewport, column));
     setWidget(column);
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);

@@ -56,6 +56,7 @@ Viewport::Viewport(Document& document, Selection& selection, QWidget* parent)
     });
     connect(&selection_, &Selection::changed, this, &Viewport::requestDraw);
     connect(&probes_, &Probes::changed, this, &Viewport::requestDraw);
+    connect(&combs_, &ShownCombs::changed, this, &Viewport::requestDraw);
     settling_.setSingleShot(true);
     connect(&settling_, &QTimer::timeout, this, &Viewport::settle);
     frame_.camera.up = {0, 0, 1};
@@ -68,6 +69,7 @@ Viewport::~Viewport()
     document_.disconnect(this);
     selection_.disconnect(this);
     probes_.disconnect(this);
+    combs_.disconnect(this);
     usePresenter(nullptr);
 }
 

@@ -12,6 +12,7 @@
 #include "ui/viewport/navigation.h"
 #include "ui/viewport/pace.h"
 #include "ui/viewport/presenter.h"
+#include "ui/viewport/shown_combs.h"
 #include "ui/viewport/shown_friends.h"
 
 class QLabel;
@@ -61,6 +62,7 @@ public:
     void setFriends(ShownFriends& friends);
     // What is measured where; lines at the places are in the picture.
     [[nodiscard]] Probes& probes() { return probes_; }
+    [[nodiscard]] ShownCombs& combs() { return combs_; }
     // Goes to a point of the model, so that about `units` around it fill the picture, and turns so far that
     // one looks against `outward`; a zero vector: not at all.
     void zoomTo(const Vec3& point, double units, const Vec3& outward);
@@ -116,6 +118,7 @@ private:
     ShownFriends* friends_ = nullptr;
     Frame frame_;
     Probes probes_;
+    ShownCombs combs_{document_, selection_};
     ToolSettings toolSettings_;
     const NavigationPreset* navigation_;
     Pace pace_;

@@ -62,6 +62,7 @@ Result<void> Viewport::draw()
     addSelectionTo(frame.overlays);
     if (friends_ != nullptr)
         frame.overlays.edgeLines = friends_->lines();
+    frame.overlays.spaceLines = combs_.lines();
     const bool isPrepared = !prepared_.insert(frame.path).second;
     if (!isPrepared)
         QGuiApplication::setOverrideCursor(Qt::WaitCursor);
