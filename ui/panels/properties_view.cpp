@@ -151,7 +151,6 @@ void PropertiesView::takeResults()
 
 void PropertiesView::show()
 {
-    copy_->setEnabled(!wanted_.empty() && known_.size() == wanted_.size());
     showCounts();
     showMeasured();
 }
@@ -197,6 +196,7 @@ void PropertiesView::showCounts()
 
 void PropertiesView::showMeasured()
 {
+    copy_->setEnabled(!wanted_.empty() && known_.size() == wanted_.size());
     if (wanted_.empty() || known_.size() < wanted_.size()) {
         const size_t done = known_.size() + (thread_ ? thread_->done().size() : 0);
         const QString text =

@@ -52,7 +52,7 @@ const std::vector<ToolInfo>& tools()
               "{tools.largerBrush} change the "
               "circle's size."),
          []() -> std::unique_ptr<Tool> { return std::make_unique<Brush>(BrushKind::flatten); }},
-        {"probe", TEXT("&Probe"), "O",
+        {"probe", TEXT("Prob&e"), "O",
          TEXT("Measure the surface under the cursor: place, normal, curvatures"),
          TEXT("Point at a surface to see place, normal and curvatures; click to pin a probe that follows it. "
               "The panel Measures lists them."),
