@@ -65,6 +65,7 @@ MainWindow::MainWindow(Questions questions)
     connect(&document_, &Document::documentReplaced, this, [this] { shownFriends_.choose({}); });
     connect(&shownFriends_, &ShownFriends::changed, this, &MainWindow::showActionStates);
     connect(&viewport_->combs(), &ShownCombs::changed, this, &MainWindow::showActionStates);
+    connect(&viewport_->section(), &ShownSection::changed, this, &MainWindow::showActionStates);
     connect(viewport_, &Viewport::frameChanged, this, &MainWindow::showActionStates);
     connect(viewport_, &Viewport::toolSettingsChanged, this, &MainWindow::showActionStates);
     connect(viewport_, &Viewport::toolChanged, this, &MainWindow::showActionStates);

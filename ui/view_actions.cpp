@@ -53,6 +53,13 @@ void showCombs(Window& window, bool on)
     window.viewport().combs().setSettings(settings);
 }
 
+void showSection(Window& window, bool on)
+{
+    SectionSettings settings = window.viewport().section().settings();
+    settings.shown = on;
+    window.viewport().section().setSettings(settings);
+}
+
 void showFriends(Window& window, bool on)
 {
     window.shownFriends().showLines(on);
@@ -207,11 +214,17 @@ const std::vector<ActionInfo>& viewActions()
          .run = [](Window& w, bool on) { showFriends(w, on); },
          .isChecked = [](Window& w) { return w.shownFriends().linesAreShown(); }},
         {.id = "view.combs",
-         .text = TEXT("Curvature com&bs"),
+         .text = TEXT("C&urvature combs"),
          .shortcuts = {QKeySequence("Shift+B")},
          .tip = TEXT("Show how iso-curves of the selected objects bend; the panel Measures has more"),
          .run = [](Window& w, bool on) { showCombs(w, on); },
          .isChecked = [](Window& w) { return w.viewport().combs().settings().shown; }},
+        {.id = "view.section",
+         .text = TEXT("Section cur&ves"),
+         .shortcuts = {QKeySequence("Shift+P")},
+         .tip = TEXT("Show where a plane cuts the visible surfaces; the panel Measures moves it"),
+         .run = [](Window& w, bool on) { showSection(w, on); },
+         .isChecked = [](Window& w) { return w.viewport().section().settings().shown; }},
         {.id = "view.freezeCulling",
          .text = TEXT("Free&ze culling"),
          .shortcuts = {QKeySequence("Shift+C")},

@@ -5,6 +5,7 @@
 #include "ui/panels/combs_form.h"
 #include "ui/panels/probe_view.h"
 #include "ui/panels/properties_view.h"
+#include "ui/panels/section_form.h"
 
 namespace knotspan {
 
@@ -17,6 +18,7 @@ MeasuresPanel::MeasuresPanel(Document& document, Selection& selection, Viewport&
     layout->addWidget(new ProbeView(document, viewport.probes(), column), 1);
     layout->addWidget(new PropertiesView(document, selection, column));
     layout->addWidget(new CombsForm(document, viewport, column));
+    layout->addWidget(new SectionForm(document, viewport, column));
     setWidget(column);
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);

@@ -57,6 +57,7 @@ Viewport::Viewport(Document& document, Selection& selection, QWidget* parent)
     connect(&selection_, &Selection::changed, this, &Viewport::requestDraw);
     connect(&probes_, &Probes::changed, this, &Viewport::requestDraw);
     connect(&combs_, &ShownCombs::changed, this, &Viewport::requestDraw);
+    connect(&section_, &ShownSection::changed, this, &Viewport::requestDraw);
     settling_.setSingleShot(true);
     connect(&settling_, &QTimer::timeout, this, &Viewport::settle);
     frame_.camera.up = {0, 0, 1};
@@ -70,6 +71,7 @@ Viewport::~Viewport()
     selection_.disconnect(this);
     probes_.disconnect(this);
     combs_.disconnect(this);
+    section_.disconnect(this);
     usePresenter(nullptr);
 }
 

@@ -14,6 +14,7 @@
 #include "ui/viewport/presenter.h"
 #include "ui/viewport/shown_combs.h"
 #include "ui/viewport/shown_friends.h"
+#include "ui/viewport/shown_section.h"
 
 class QLabel;
 class QStackedLayout;
@@ -63,6 +64,7 @@ public:
     // What is measured where; lines at the places are in the picture.
     [[nodiscard]] Probes& probes() { return probes_; }
     [[nodiscard]] ShownCombs& combs() { return combs_; }
+    [[nodiscard]] ShownSection& section() { return section_; }
     // Goes to a point of the model, so that about `units` around it fill the picture, and turns so far that
     // one looks against `outward`; a zero vector: not at all.
     void zoomTo(const Vec3& point, double units, const Vec3& outward);
@@ -119,6 +121,7 @@ private:
     Frame frame_;
     Probes probes_;
     ShownCombs combs_{document_, selection_};
+    ShownSection section_{document_};
     ToolSettings toolSettings_;
     const NavigationPreset* navigation_;
     Pace pace_;

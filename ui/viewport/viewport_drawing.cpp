@@ -63,6 +63,8 @@ Result<void> Viewport::draw()
     if (friends_ != nullptr)
         frame.overlays.edgeLines = friends_->lines();
     frame.overlays.spaceLines = combs_.lines();
+    const std::vector<SharedSpaceLines>& cuts = section_.lines();
+    frame.overlays.spaceLines.insert(frame.overlays.spaceLines.end(), cuts.begin(), cuts.end());
     const bool isPrepared = !prepared_.insert(frame.path).second;
     if (!isPrepared)
         QGuiApplication::setOverrideCursor(Qt::WaitCursor);
@@ -82,6 +84,8 @@ Result<void> Viewport::draw()
         return shown;
     if (isPrepared)
         keepPace(frame, static_cast<double>(clock.nsecsElapsed()) * 1e-6);
+    if (!section_.isComplete())
+        requestDraw();
     Q_EMIT frameDrawn(*stats);
     return {};
 }
