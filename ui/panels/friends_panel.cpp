@@ -11,11 +11,11 @@
 #include <QScopedValueRollback>
 #include <QStackedWidget>
 #include <QTableView>
-#include <QTimer>
 #include <QVBoxLayout>
 
 #include <glm/geometric.hpp>
 
+#include "ui/panels/following.h"
 #include "ui/panels/friend_graph.h"
 
 namespace knotspan {
@@ -68,26 +68,8 @@ FriendsPanel::FriendsPanel(Document& document, ShownFriends& shown, Viewport& vi
     column->addWidget(quantity_);
     column->addWidget(graph_, 1);
     connect(quantity_, &QComboBox::currentIndexChanged, this, &FriendsPanel::showGraph);
-    connect(&shown_, &ShownFriends::changed, this, &FriendsPanel::followSoon);
-}
-
-void FriendsPanel::showEvent(QShowEvent* event)
-{
-    QWidget::showEvent(event);
-    followSoon();
-}
-
-// However many changes come in one turn of the event loop, they are looked at once.
-void FriendsPanel::followSoon()
-{
-    if (followPending_ || !isVisible())
-        return;
-    followPending_ = true;
-    QTimer::singleShot(0, this, [this] {
-        followPending_ = false;
-        if (isVisible())
-            follow();
-    });
+    auto* following = new Following(*this, [this] { follow(); });
+    connect(&shown_, &ShownFriends::changed, following, &Following::soon);
 }
 
 void FriendsPanel::follow()

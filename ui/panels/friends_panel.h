@@ -31,15 +31,11 @@ public:
 
     [[nodiscard]] QSize sizeHint() const override { return {500, 420}; }
 
-protected:
-    void showEvent(QShowEvent* event) override;
-
 private:
     QWidget* makeFilter();
     QWidget* makeTolerances();
     QWidget* makeTable();
     QWidget* makeLegend();
-    void followSoon();
     void follow();
     void choose(const QModelIndex& shown);
     void showChosen();
@@ -64,7 +60,6 @@ private:
     QDoubleSpinBox* angle_ = nullptr;
     QComboBox* quantity_ = nullptr;
     FriendGraph* graph_ = nullptr;
-    bool followPending_ = false;
     bool following_ = false;  // showing what is chosen, not choosing
 };
 

@@ -10,9 +10,9 @@
 #include <QPushButton>
 #include <QShortcut>
 #include <QTableView>
-#include <QTimer>
 #include <QVBoxLayout>
 
+#include "ui/panels/following.h"
 #include "ui/panels/probe_distances.h"
 #include "ui/tools/probe_texts.h"
 #include "ui/viewport/described.h"
@@ -76,8 +76,9 @@ ProbeView::ProbeView(Document& document, Probes& probes, QWidget* parent)
     distances_->setMinimumHeight(3 * fontMetrics().lineSpacing() + 2);
     column->addWidget(distances_);
     column->addWidget(makeButtons());
-    connect(&probes_, &Probes::changed, this, &ProbeView::followSoon);
-    connect(&document_, &Document::sceneChanged, this, &ProbeView::followSoon);
+    auto* following = new Following(*this, [this] { follow(); });
+    connect(&probes_, &Probes::changed, following, &Following::soon);
+    connect(&document_, &Document::sceneChanged, following, &Following::soon);
 }
 
 void ProbeView::makeTable()
@@ -130,25 +131,6 @@ QWidget* ProbeView::makeButtons()
     connect(remove_, &QPushButton::clicked, this, &ProbeView::removeSelected);
     connect(clear_, &QPushButton::clicked, &probes_, &Probes::clear);
     return row;
-}
-
-void ProbeView::showEvent(QShowEvent* event)
-{
-    QGroupBox::showEvent(event);
-    followSoon();
-}
-
-// However many changes come in one turn of the event loop, they are looked at once.
-void ProbeView::followSoon()
-{
-    if (followPending_ || !isVisible())
-        return;
-    followPending_ = true;
-    QTimer::singleShot(0, this, [this] {
-        followPending_ = false;
-        if (isVisible())
-            follow();
-    });
 }
 
 void ProbeView::follow()

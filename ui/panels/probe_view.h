@@ -19,13 +19,9 @@ public:
     // Both outlive it.
     ProbeView(Document& document, Probes& probes, QWidget* parent = nullptr);
 
-protected:
-    void showEvent(QShowEvent* event) override;
-
 private:
     void makeTable();
     QWidget* makeButtons();
-    void followSoon();
     void follow();
     void showSelection();
     void copy() const;
@@ -42,7 +38,6 @@ private:
     QPushButton* copy_ = nullptr;
     QPushButton* remove_ = nullptr;
     QPushButton* clear_ = nullptr;
-    bool followPending_ = false;
 };
 
 }  // namespace knotspan

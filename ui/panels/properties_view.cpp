@@ -10,6 +10,7 @@
 #include <QPushButton>
 
 #include "model/geometry/ksquad.h"
+#include "ui/panels/following.h"
 #include "ui/tools/probe_texts.h"
 #include "ui/viewport/described.h"
 
@@ -54,8 +55,9 @@ PropertiesView::PropertiesView(Document& document, Selection& selection, QWidget
              tr("Copy a line for each selected object, as a table that spreadsheets take"));
     lines_->addRow(copy_);
     connect(copy_, &QPushButton::clicked, this, &PropertiesView::copy);
-    connect(&selection_, &Selection::changed, this, &PropertiesView::followSoon);
-    connect(&document_, &Document::sceneChanged, this, &PropertiesView::followSoon);
+    auto* following = new Following(*this, [this] { follow(); });
+    connect(&selection_, &Selection::changed, following, &Following::soon);
+    connect(&document_, &Document::sceneChanged, following, &Following::soon);
     progress_.setInterval(kProgressMs);
     connect(&progress_, &QTimer::timeout, this, &PropertiesView::show);
 }
@@ -70,25 +72,6 @@ QLabel* PropertiesView::addLine(const char* id, const QString& title, const QStr
     label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     lines_->addRow(title, label);
     return label;
-}
-
-void PropertiesView::showEvent(QShowEvent* event)
-{
-    QGroupBox::showEvent(event);
-    followSoon();
-}
-
-// However many changes come in one turn of the event loop, they are looked at once.
-void PropertiesView::followSoon()
-{
-    if (followPending_ || !isVisible())
-        return;
-    followPending_ = true;
-    QTimer::singleShot(0, this, [this] {
-        followPending_ = false;
-        if (isVisible())
-            follow();
-    });
 }
 
 void PropertiesView::follow()

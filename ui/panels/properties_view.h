@@ -28,16 +28,12 @@ public:
     // Whether figures are still to come.
     [[nodiscard]] bool isMeasuring() const { return thread_ != nullptr; }
 
-protected:
-    void showEvent(QShowEvent* event) override;
-
 private:
     struct Known {
         MeasuredObject object;
         ObjectProperties properties;
     };
     QLabel* addLine(const char* id, const QString& title, const QString& tip);
-    void followSoon();
     void follow();
     void measure();
     void takeResults();
@@ -62,7 +58,6 @@ private:
     QLabel* size_ = nullptr;
     QLabel* area_ = nullptr;
     QPushButton* copy_ = nullptr;
-    bool followPending_ = false;
 };
 
 }  // namespace knotspan
