@@ -89,12 +89,17 @@ Vec3 inView(const Frame& frame, const Vec3& direction)
 int bandAt(const Frame& frame, const Met& met)
 {
     Vec3 direction = inView(frame, met.point->normal);
-    if (frame.shading == Shading::zebra)
+    if (frame.shading != Shading::isophotes)
         direction = glm::reflect(inView(frame, met.ray.along), direction);
     const double turned = glm::radians(frame.look.stripesTurnedDegrees);
     const Vec3 axis(-std::sin(turned), std::cos(turned), 0);
     const double angle = std::acos(std::clamp(glm::dot(direction, axis), -1.0, 1.0));
-    return static_cast<int>(std::floor(2 * angle * frame.look.stripes / M_PI + 0.5));
+    const double stripes = angle * frame.look.stripes / M_PI + 0.25;
+    if (frame.shading != Shading::reflection)
+        return static_cast<int>(std::floor(2 * stripes));
+    const double line = std::round(stripes);  // the odd ones are lines, an eighth of a stripe wide, nearly
+    const bool isLine = std::abs(stripes - line) < 0.06;
+    return 2 * static_cast<int>(isLine ? line : std::floor(stripes)) + (isLine ? 1 : 100);
 }
 
 using Expected = std::optional<Vec3> (*)(const Frame& frame, const ClosedPicture& closed, int x, int y);
@@ -131,6 +136,8 @@ std::optional<Vec3> stripeColour(const Frame& frame, const ClosedPicture& closed
     const bool bright = band % 2 == 0;
     const bool front = glm::dot(here.point->normal, here.ray.along) < 0;
     const Vec3 inside = front ? Vec3(1) : Vec3(0.75, 0.62, 0.5);
+    if (frame.shading == Shading::reflection)
+        return (bright ? Vec3(0.82, 0.84, 0.86) : Vec3(0.05)) * inside;
     if (frame.shading == Shading::zebra)
         return Vec3(bright ? 0.95 : 0.06) * inside;
     return (bright ? Vec3(0.93, 0.92, 0.86) : Vec3(0.16, 0.28, 0.42)) * inside;
@@ -153,6 +160,7 @@ std::vector<LookCase> lookCases()
     std::vector<LookCase> cases{{"normals", Shading::normals, {}, normalColour},
                                 {"zebra", Shading::zebra, upright, stripeColour},
                                 {"zebra turned", Shading::zebra, turned, stripeColour},
+                                {"reflection", Shading::reflection, upright, stripeColour},
                                 {"isophotes", Shading::isophotes, turned, stripeColour},
                                 {"draft", Shading::draft, {}, draftColour}};
     cases.back().look.draftDegrees = 40;
@@ -203,6 +211,44 @@ void expectTrue(Renderer& renderer, const ClosedPicture& closed, const LookCase&
                               << looked << ", worst " << worst;
 }
 
+// Squares of a bilinear surface are squares of its plan.
+void expectSquares(Renderer& renderer, const ClosedPicture& closed, PathId path)
+{
+    Frame frame = closed.frame();
+    frame.path = path;
+    frame.shading = Shading::checker;
+    frame.look.checkerCells = 6;
+    const Picture picture = drawn(renderer, closed.form().scene, frame).picture;
+    const Box plan = closed.form().scene.bounds();
+    size_t looked = 0;
+    for (int y = 0; y < kHeight; ++y)
+        for (int x = 0; x < kWidth; ++x) {
+            if (!closed.isInside(x, y))
+                continue;
+            const auto squareAt = [&](const Vec3& at) {
+                const Vec3 share = (at - plan.low) / (plan.high - plan.low);
+                return static_cast<int>(std::floor(6 * share.x)) +
+                       100 * static_cast<int>(std::floor(6 * share.y));
+            };
+            const Met& here = *closed.at(x, y);
+            const int square = squareAt(here.point->position);
+            bool isWhole = true;
+            for (int dx = -3; dx <= 3; ++dx)
+                for (int dy = -3; dy <= 3; ++dy) {
+                    const Met* const beside = closed.at(x, y, dx, dy);
+                    isWhole = isWhole && beside != nullptr && squareAt(beside->point->position) == square;
+                }
+            if (!isWhole)
+                continue;
+            ++looked;
+            const bool bright = (square % 100 + square / 100) % 2 == 0;
+            const bool front = glm::dot(here.point->normal, here.ray.along) < 0;
+            const double expected = (bright ? 0.90 : 0.22) * (front ? 1 : 0.75);
+            ASSERT_NEAR(colourAt(picture, x, y) >> 16, 255 * expected, 1) << x << ", " << y;
+        }
+    EXPECT_GT(looked, 300U);
+}
+
 class Looks : public ::testing::TestWithParam<PathId> {};
 
 TEST_P(Looks, HaveTheColourOfTheClosedFormInEveryPixel)
@@ -212,6 +258,13 @@ TEST_P(Looks, HaveTheColourOfTheClosedFormInEveryPixel)
     for (const ClosedPicture& closed : closedPictures())
         for (const LookCase& look : lookCases())
             expectTrue(*renderer, closed, look, GetParam());
+}
+
+TEST_P(Looks, CheckerHasItsSquaresWhereTheParametersHaveThem)
+{
+    KNOTSPAN_NEED_RENDERER(renderer);
+    KNOTSPAN_NEED_PATH(*renderer, GetParam());
+    expectSquares(*renderer, closedPictures().back(), GetParam());
 }
 
 std::vector<PathId> allPaths()
