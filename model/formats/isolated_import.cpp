@@ -72,7 +72,10 @@ private:
                            "Split the model into several files");
         const auto now = steady_clock::now();
         if (now - start_ > std::chrono::seconds(limits_.wallSeconds))
-            return tl::unexpected(tookTooLong());
+            return failure("Reading the file takes longer than it may (" +
+                               std::to_string(limits_.wallSeconds) +
+                               " seconds, much of it waiting); nothing was changed",
+                           "Try again when the computer is less busy, or split the model into several files");
         if (now - lastLook_ < std::chrono::milliseconds(20))
             return {};
         lastLook_ = now;
