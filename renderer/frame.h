@@ -1,6 +1,7 @@
 // Everything one picture depends on, beside the scene itself.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -70,6 +71,15 @@ struct Stroke {
     [[nodiscard]] bool operator==(const Stroke&) const = default;
 };
 
+// A flat piece of the picture itself, in front of everything but strokes.
+struct Patch {
+    std::array<Vec2, 4> corners{};  // pixels from the upper left corner, around it, convex
+    std::uint32_t colour = 0;       // 0xRRGGBB, sRGB
+    float opacity = 1;
+
+    [[nodiscard]] bool operator==(const Patch&) const = default;
+};
+
 // Straight lines in the model itself, of one colour and width. What surfaces hide of them does not show.
 struct SpaceLine {
     Vec3 from{0};  // model space
@@ -99,6 +109,7 @@ struct Overlays {
     std::vector<EdgeLine> edgeLines;           // what surfaces hide of them does not show
     std::vector<IsoLine> isoLines;             // likewise
     std::vector<SharedSpaceLines> spaceLines;  // none of them null
+    std::vector<Patch> patches;
     std::vector<Stroke> strokes;
 
     [[nodiscard]] bool operator==(const Overlays&) const = default;
@@ -107,6 +118,16 @@ struct Overlays {
     {
         return ((controlNets || !netsOf.empty()) && (points || hulls)) || !marks.empty();
     }
+};
+
+// Where a frame stands in a picture of several views.
+struct Pane {
+    int x = 0;  // of its upper left corner, pixels
+    int y = 0;
+    int sheetWidth = 0;  // of the whole picture
+    int sheetHeight = 0;
+
+    [[nodiscard]] bool operator==(const Pane&) const = default;
 };
 
 struct Frame {
@@ -126,6 +147,8 @@ struct Frame {
     Overlays overlays;
     // Where culling looks from, if not from `camera`. What it drops is outlined in the colours of the modes.
     std::optional<Camera> cullingCamera;
+    // What is shown and captured is then the whole picture, which keeps what earlier frames put beside this.
+    std::optional<Pane> pane;
 
     [[nodiscard]] bool operator==(const Frame&) const = default;
 };

@@ -39,6 +39,14 @@ void showToHost(VkCommandBuffer commands)
                   VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT);
 }
 
+void copyOut(const Device& device, const Image& image, const Buffer& to)
+{
+    device.execute([&](VkCommandBuffer commands) {
+        copyPart(commands, image, VK_IMAGE_ASPECT_COLOR_BIT, {{0, 0}, image.extent()}, to.get(), 0);
+        showToHost(commands);
+    });
+}
+
 }  // namespace
 
 FrameTargets::FrameTargets(const Device& device, VkExtent2D extent)
@@ -135,12 +143,13 @@ void FrameTargets::end(VkCommandBuffer commands)
                           VK_ACCESS_2_TRANSFER_READ_BIT);
 }
 
-Picture FrameTargets::read() const
+Picture readPicture(const Device& device, const Image& image)
 {
-    Picture picture{static_cast<int>(extent_.width), static_cast<int>(extent_.height), {}};
-    picture.rgba.resize(size_t{4} * extent_.width * extent_.height);
-    const Buffer readBack(device_, picture.rgba.size(), Buffer::Place::readBack);
-    copyOut(colour_, readBack);
+    const VkExtent2D extent = image.extent();
+    Picture picture{static_cast<int>(extent.width), static_cast<int>(extent.height), {}};
+    picture.rgba.resize(size_t{4} * extent.width * extent.height);
+    const Buffer readBack(device, picture.rgba.size(), Buffer::Place::readBack);
+    copyOut(device, image, readBack);
     std::memcpy(picture.rgba.data(), readBack.mapped(), picture.rgba.size());
     return picture;
 }
@@ -151,7 +160,7 @@ KsQuadIndices FrameTargets::readKsQuads() const
     ksquads.indices.resize(size_t{1} * extent_.width * extent_.height);
     const size_t bytes = ksquads.indices.size() * sizeof(ksquads.indices[0]);
     const Buffer readBack(device_, bytes, Buffer::Place::readBack);
-    copyOut(indices_, readBack);
+    copyOut(device_, indices_, readBack);
     std::memcpy(ksquads.indices.data(), readBack.mapped(), bytes);
     return ksquads;
 }
@@ -172,14 +181,6 @@ FrameTargets::Pixel FrameTargets::pixelAt(std::uint32_t x, std::uint32_t y)
     Pixel pixel;
     std::memcpy(&pixel, onePixel_.mapped(), sizeof(pixel));
     return pixel;
-}
-
-void FrameTargets::copyOut(const Image& image, const Buffer& to) const
-{
-    device_.execute([&](VkCommandBuffer commands) {
-        copyPart(commands, image, VK_IMAGE_ASPECT_COLOR_BIT, {{0, 0}, extent_}, to.get(), 0);
-        showToHost(commands);
-    });
 }
 
 }  // namespace knotspan

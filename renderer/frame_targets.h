@@ -23,7 +23,6 @@ public:
     void pause(VkCommandBuffer commands, VkBuffer depths);
     void resume(VkCommandBuffer commands);
 
-    [[nodiscard]] Picture read() const;
     [[nodiscard]] KsQuadIndices readKsQuads() const;
     struct Pixel {
         std::uint32_t ksquad = 0;  // the index + 1; 0: the background
@@ -33,7 +32,6 @@ public:
 
 private:
     void start(VkCommandBuffer commands, bool fresh);
-    void copyOut(const Image& image, const Buffer& to) const;
 
     const Device& device_;
     VkExtent2D extent_;
@@ -42,5 +40,8 @@ private:
     Image depth_;
     Buffer onePixel_;
 };
+
+// Of an image that can be copied, four bytes a pixel.
+[[nodiscard]] Picture readPicture(const Device& device, const Image& image);
 
 }  // namespace knotspan

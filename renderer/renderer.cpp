@@ -108,7 +108,7 @@ Result<Picture> Renderer::capture()
 {
     if (!parts_->lastFrame)
         return failure("There is no picture yet", "Draw a frame first");
-    return guarded([&] { return parts_->targets->read(); }, &parts_->deviceLost);
+    return guarded([&] { return readPicture(parts_->device, parts_->shown()); }, &parts_->deviceLost);
 }
 
 Result<KsQuadIndices> Renderer::captureKsQuads()
@@ -145,7 +145,7 @@ Result<bool> Renderer::present(Swapchain& swapchain)
 {
     if (!parts_->lastFrame)
         return failure("There is no picture yet", "Draw a frame first");
-    return guarded([&] { return swapchain.parts().images.show(parts_->targets->colour()); },
+    return guarded([&] { return swapchain.parts().images.show(parts_->shown()); },
                    &parts_->deviceLost);
 }
 

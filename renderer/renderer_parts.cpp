@@ -100,11 +100,32 @@ SurfacePath& Renderer::Parts::pathFor(PathId id, const PathVariant& variant)
 void Renderer::Parts::checkFrame(const Frame& frame) const
 {
     const auto most = static_cast<int>(std::min(device.limits().maxImageDimension2D, 16384U));
-    if (frame.width < 1 || frame.height < 1 || frame.width > most || frame.height > most)
-        throw VulkanError({"A picture of " + std::to_string(frame.width) + " by " +
-                               std::to_string(frame.height) + " pixels cannot be drawn",
+    const auto checkSize = [most](int width, int height) {
+        if (width >= 1 && height >= 1 && width <= most && height <= most)
+            return;
+        throw VulkanError({"A picture of " + std::to_string(width) + " by " + std::to_string(height) +
+                               " pixels cannot be drawn",
                            {},
                            "Choose sizes from 1 to " + std::to_string(most)});
+    };
+    checkSize(frame.width, frame.height);
+    if (frame.pane)
+        checkSize(frame.pane->sheetWidth, frame.pane->sheetHeight);
+}
+
+void Renderer::Parts::fitSheet(const Frame& frame)
+{
+    if (!frame.pane) {
+        sheet.reset();
+        return;
+    }
+    const VkExtent2D extent{static_cast<std::uint32_t>(frame.pane->sheetWidth),
+                            static_cast<std::uint32_t>(frame.pane->sheetHeight)};
+    if (!sheet || sheet->extent().width != extent.width || sheet->extent().height != extent.height) {
+        lastFrame.reset();
+        sheet.reset();
+        sheet = std::make_unique<Sheet>(device, extent);
+    }
 }
 
 void Renderer::Parts::fitTargets(const Frame& frame)
@@ -116,6 +137,7 @@ void Renderer::Parts::fitTargets(const Frame& frame)
         targets.reset();
         targets = std::make_unique<FrameTargets>(device, extent);
     }
+    fitSheet(frame);
     if (!(frame.tolerancePx > 0.0 && frame.tolerancePx < 1e6))
         throw VulkanError({"A tolerance of " + std::to_string(frame.tolerancePx) + " pixels means nothing",
                            {},

@@ -26,6 +26,7 @@
 #include "renderer/scene/shown_sides.h"
 #include "renderer/scene/span_places.h"
 #include "renderer/scene/wave_pass.h"
+#include "renderer/sheet.h"
 #include "renderer/stats/gpu_clock.h"
 #include "renderer/stats/gpu_counters.h"
 #include "renderer/vulkan/window_images.h"
@@ -77,10 +78,14 @@ struct Renderer::Parts {
     std::map<std::pair<PathId, PathVariant>, std::unique_ptr<SurfacePath>>
         paths;  // made when first drawn with
     std::unique_ptr<FrameTargets> targets;
+    std::unique_ptr<Sheet> sheet;  // of frames that stand beside others
     // The last frame that was drawn whole, and the objects whose KSQuads its indices stand for.
     std::optional<Frame> lastFrame;
     std::vector<Resident> lastResidents;
     bool deviceLost = false;
+
+    // What the last frame is shown in.
+    [[nodiscard]] Image& shown() { return lastFrame->pane ? sheet->image() : targets->colour(); }
 
 private:
     void forgetScene();
@@ -88,6 +93,7 @@ private:
     SurfacePath& pathFor(PathId id, const PathVariant& variant);
     void checkFrame(const Frame& frame) const;
     void fitTargets(const Frame& frame);
+    void fitSheet(const Frame& frame);
     void updateFrameRecord(const Frame& frame, SurfacePath& path, SamplingRule rule, bool capture);
     void prepareCulling(Frame& frame, const SurfacePath& path);
     // Where the frame's culling camera stands still: what it drops is noted then, and kept. Returns the bytes

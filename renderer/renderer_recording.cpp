@@ -50,6 +50,8 @@ void Renderer::Parts::record(VkCommandBuffer commands, const Frame& frame, const
         rejectedOutlines.draw(commands, scene.ksquadCount());
     drawOverlays(commands, frame);
     targets->end(commands);
+    if (frame.pane)
+        sheet->put(commands, targets->colour(), *frame.pane);
     clock.stop(commands);
     if (anything && frameRecord_->judgedBits != 0)
         wrongCulls.record(commands, scene.ksquadCount(), specializationFor(scene.evaluator()));
@@ -62,7 +64,7 @@ void Renderer::Parts::prepareOverlays(const Overlays& overlays)
     edgeLines.prepare(overlays.edgeLines, overlays.isoLines, scene.residents(), specialization);
     marks.prepare(overlays.marks, scene.residents());
     spaceLines.prepare(overlays.spaceLines);
-    strokes.prepare(overlays.strokes);
+    strokes.prepare(overlays.patches, overlays.strokes);
     if (overlays.normals)
         normalLines.prepare(specialization);
 }
@@ -82,7 +84,7 @@ void Renderer::Parts::drawOverlays(VkCommandBuffer commands, const Frame& frame)
                         {overlays.points, overlays.hulls});
     if (!overlays.marks.empty())
         marks.draw(commands);
-    if (!overlays.strokes.empty())
+    if (!overlays.patches.empty() || !overlays.strokes.empty())
         strokes.draw(commands);
 }
 

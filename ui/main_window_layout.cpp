@@ -237,6 +237,7 @@ void MainWindow::restoreLayout()
     restoreState(settings.value("layout").toByteArray());
     viewport_->setToolSettings(storedToolSettings());
     shownFriends_.showLines(settings.value("friendEdges", false).toBool());
+    viewport_->showCube(settings.value("viewCube", true).toBool());
     viewport_->setNavigation(findNavigation(settings.value("navigation").toString()));
     connect(viewport_, &Viewport::navigationChanged, this, [this] {
         QSettings().setValue("navigation", viewport_->navigation().name);

@@ -96,6 +96,24 @@ ActionInfo navigationRow(const char* id)
             .submenu = TEXT("Turn the &view")};
 }
 
+void showCube(Window& window, bool on)
+{
+    window.viewport().showCube(on);
+    QSettings().setValue("viewCube", on);
+}
+
+template <PaneLayout layout>
+ActionInfo paneRow(const char* id, const char* text, const char* keys, const char* tip)
+{
+    return {.id = id,
+            .text = text,
+            .shortcuts = {QKeySequence(keys)},
+            .tip = tip,
+            .run = [](Window& w, bool) { w.viewport().setPaneLayout(layout); },
+            .isChecked = [](Window& w) { return w.viewport().paneLayout() == layout; },
+            .separated = layout == PaneLayout::one};
+}
+
 template <Appearance which>
 ActionInfo appearanceRow(const char* id, const char* text, const char* tip)
 {
@@ -168,6 +186,20 @@ const std::vector<ActionInfo>& viewActions()
          .run = [](Window& w, bool on) { change(w, [on](Frame& frame) { frame.camera.orthographic = on; }); },
          .isChecked = [](Window& w) { return w.viewport().frame().camera.orthographic; },
          .separated = true},
+        paneRow<PaneLayout::one>("view.onePane", TEXT("One &view"), "Ctrl+Alt+1",
+                                 TEXT("Show the view that was clicked last alone")),
+        paneRow<PaneLayout::two>("view.twoPanes", TEXT("T&wo views"), "Ctrl+Alt+2",
+                                 TEXT("Show two views side by side: this one, and from above")),
+        paneRow<PaneLayout::four>(
+            "view.fourPanes", TEXT("Fo&ur views"), "Ctrl+Alt+4",
+            TEXT("Show four views: from above, this one, from the front, from the right")),
+        {.id = "view.cube",
+         .text = TEXT("Vie&w cube"),
+         .shortcuts = {QKeySequence("Ctrl+Alt+C")},
+         .tip = TEXT(
+             "Show a cube that turns with the view: click a side, an edge or a corner to look from there"),
+         .run = [](Window& w, bool on) { showCube(w, on); },
+         .isChecked = [](Window& w) { return w.viewport().showsCube(); }},
         {.id = "view.nets",
          .text = TEXT("All control &nets"),
          .shortcuts = {QKeySequence("N")},

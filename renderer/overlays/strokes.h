@@ -1,5 +1,5 @@
-// Straight lines in the picture itself, in front of everything, smooth across and along; they travel only
-// where they changed.
+// Flat pieces and straight lines in the picture itself, in front of everything, with smooth borders; they
+// travel only where they changed.
 #pragma once
 
 #include "renderer/frame.h"
@@ -12,8 +12,9 @@ class Strokes {
 public:
     Strokes(const Device& device, Bindings& bindings, Uploader& uploader);
 
-    // Those without length, and with ends that are no numbers, are passed over.
-    void prepare(const std::vector<Stroke>& strokes);
+    // Lines come in front of pieces. Lines without length, pieces without area or with a side that has none,
+    // and what is no number, are passed over.
+    void prepare(const std::vector<Patch>& patches, const std::vector<Stroke>& strokes);
     void forget() { records_.forget(); }
     // Inside a rendering, with viewport and bindings set: what prepare() was given.
     void draw(VkCommandBuffer commands) const;

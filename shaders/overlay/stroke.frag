@@ -1,25 +1,31 @@
-// How much of the pixel a stroke covers, across and along it.
+// How much of the pixel a quadrilateral covers: of its width between two opposite sides, times that between the
+// other two.
 #version 460
 
 layout(location = 0) flat in vec4 inColour;
-layout(location = 1) flat in vec4 inEnds;
-layout(location = 2) flat in vec2 inHalfWidths;
+layout(location = 1) flat in vec4 inCorners[2];
 layout(location = 0) out vec4 outColour;
 
-// Of a pixel around `place`, the part between `low` and `high`.
-float covered(float place, float low, float high)
+// How far this pixel's centre is inside of the side from `from` to `to`.
+float inside(vec2 from, vec2 to)
 {
-    return max(min(place + 0.5, high) - max(place - 0.5, low), 0.0);
+    vec2 along = normalize(to - from);
+    vec2 here = gl_FragCoord.xy - from;
+    return along.x * here.y - along.y * here.x;
+}
+
+// Of a pixel, the part between two sides that it is so far inside of.
+float covered(float one, float other)
+{
+    return max(min(one, 0.5) + min(other, 0.5), 0.0);
 }
 
 void main()
 {
-    vec2 whole = inEnds.zw - inEnds.xy;
-    float len = length(whole);
-    vec2 along = whole / len;
-    vec2 here = gl_FragCoord.xy - inEnds.xy;
-    float place = dot(here, along);
-    float halfWidth = mix(inHalfWidths.x, inHalfWidths.y, clamp(place / len, 0.0, 1.0));
-    float opacity = covered(place, 0.0, len) * covered(dot(here, vec2(-along.y, along.x)), -halfWidth, halfWidth);
+    vec2 a = inCorners[0].xy;
+    vec2 b = inCorners[0].zw;
+    vec2 c = inCorners[1].xy;
+    vec2 d = inCorners[1].zw;
+    float opacity = covered(inside(a, b), inside(c, d)) * covered(inside(b, c), inside(d, a));
     outColour = vec4(inColour.rgb, inColour.a * opacity);
 }

@@ -1,4 +1,5 @@
-// Straight lines in the picture, in front of everything: an instance each, a rectangle around it.
+// Straight lines and flat pieces in the picture, in front of everything: an instance each, a quadrilateral and
+// the pixel around it.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -6,18 +7,18 @@
 
 layout(set = 0, binding = BINDING_STROKES, scalar) readonly buffer StrokeBuffer { StrokeRecord strokes[]; };
 layout(location = 0) flat out vec4 outColour;
-layout(location = 1) flat out vec4 outEnds;        // from, to; pixels
-layout(location = 2) flat out vec2 outHalfWidths;  // there
+layout(location = 1) flat out vec4 outCorners[2];  // pixels, in order around it
 
 void main()
 {
+    const int kAround[4] = int[4](0, 1, 3, 2);  // as a strip has them
     StrokeRecord stroke = strokes[gl_InstanceIndex];
     outColour = unpackUnorm4x8(stroke.colour).bgra;
-    outEnds = vec4(stroke.from, stroke.to);
-    outHalfWidths = vec2(stroke.halfWidthFrom, stroke.halfWidthTo);
-    vec2 along = normalize(stroke.to - stroke.from);
-    vec2 across = vec2(-along.y, along.x) * (max(stroke.halfWidthFrom, stroke.halfWidthTo) + 1.0);
-    bool end = gl_VertexIndex >= 2;
-    vec2 place = (end ? stroke.to + along : stroke.from - along) + (gl_VertexIndex % 2 == 0 ? across : -across);
+    outCorners[0] = vec4(stroke.corners[0], stroke.corners[1]);
+    outCorners[1] = vec4(stroke.corners[2], stroke.corners[3]);
+    int corner = kAround[gl_VertexIndex];
+    vec2 here = stroke.corners[corner];
+    vec2 place = here + normalize(here - stroke.corners[(corner + 1) % 4]) +
+                 normalize(here - stroke.corners[(corner + 3) % 4]);
     gl_Position = vec4(2.0 * place / frame.pixels - 1.0, 0.5, 1.0);
 }

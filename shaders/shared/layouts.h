@@ -331,11 +331,8 @@ struct MarkRecord {
 
 // A straight line in the picture.
 struct StrokeRecord {
-    vec2 from;  // pixels
-    vec2 to;
-    uint colour;          // 0xRRGGBB, opacity in the upper byte
-    float halfWidthFrom;  // pixels
-    float halfWidthTo;
+    vec2 corners[4];  // pixels, around it; convex
+    uint colour;      // 0xRRGGBB, opacity in the upper byte
 };
 
 // A straight line in the model, from the overlay's own origin on.
@@ -362,7 +359,7 @@ static_assert(sizeof(WaveRecord) == 32 && sizeof(EdgeLineRecord) == 28);
 static_assert(sizeof(IndexedDrawRecord) == 20 && sizeof(VertexRecord) == 56 && sizeof(ObjectVertex) == 44);
 static_assert(sizeof(DrawRecord) == 16 && sizeof(OverlayConstants) == 32);
 static_assert(sizeof(MeshConstants) == 64);
-static_assert(sizeof(MarkRecord) == 16 && sizeof(StrokeRecord) == 28);
+static_assert(sizeof(MarkRecord) == 16 && sizeof(StrokeRecord) == 36);
 static_assert(sizeof(SpaceLineRecord) == 32 && sizeof(SpaceLineConstants) == 48);
 }  // namespace knotspan::gpu
 #endif

@@ -119,7 +119,7 @@ TEST_F(Strokes, TravelOnlyWhereTheyChanged)
     (void)picture();
     EXPECT_EQ(sharedRenderer()->draw(frame)->uploadBytesPerFrame, 0U);
     frame.overlays.strokes[1].opacity = 0.5F;
-    EXPECT_EQ(sharedRenderer()->draw(frame)->uploadBytesPerFrame, 2U * 28U);
+    EXPECT_EQ(sharedRenderer()->draw(frame)->uploadBytesPerFrame, 2U * 36U);
     Frame bare = frame;
     bare.overlays.strokes.clear();
     EXPECT_EQ(sharedRenderer()->draw(bare)->uploadBytesPerFrame, 0U);

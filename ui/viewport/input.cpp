@@ -60,8 +60,13 @@ bool Input::handle(QEvent& event)
 
 ToolPointer Input::pointer(const QMouseEvent& event) const
 {
-    const double ratio = viewport_.presenter_->pixelRatio();
-    return {Vec2(event.position().x(), event.position().y()) * ratio, event.modifiers()};
+    return {wholePixel(event.position()) - viewport_.pictureCorner(), event.modifiers()};
+}
+
+// Of the picture of all views.
+Vec2 Input::wholePixel(const QPointF& position) const
+{
+    return Vec2(position.x(), position.y()) * viewport_.presenter_->pixelRatio();
 }
 
 ToolContext Input::context() const
@@ -108,6 +113,7 @@ void Input::leave()
 {
     resting_.reset();
     viewport_.selection_.setHovered({});
+    viewport_.hoverCube({});
     if (viewport_.presenter_)
         tool_->leave(context());
 }
@@ -153,11 +159,15 @@ bool Input::press(const QMouseEvent& event)
 {
     if (drag_ != Drag::none)
         return true;  // a second button during a drag
+    viewport_.workAt(wholePixel(event.position()));
     const ToolPointer at = pointer(event);
     button_ = event.button();
     pressed_ = last_ = at.position;
     resting_.reset();
-    if (const auto turn = turnBy(viewport_.navigation(), button_, event.modifiers())) {
+    if (button_ == Qt::LeftButton && viewport_.showsCube() &&
+        cubePartAt(at.position, viewport_.cubePicture())) {
+        drag_ = Drag::cube;
+    } else if (const auto turn = turnBy(viewport_.navigation(), button_, event.modifiers())) {
         drag_ = *turn == ViewTurn::orbit ? Drag::orbit : *turn == ViewTurn::pan ? Drag::pan : Drag::zoom;
     } else if (button_ == Qt::LeftButton) {
         gesture_ = viewport_.document_.newGesture();
@@ -174,6 +184,15 @@ bool Input::move(const QMouseEvent& event)
     if (drag_ != Drag::none && !event.buttons().testFlag(button_))
         end(at);  // the button went up where nobody told
     if (drag_ == Drag::none) {
+        const auto part =
+            viewport_.showsCube() ? cubePartAt(at.position, viewport_.cubePicture()) : std::nullopt;
+        if (part || !viewport_.worksAt(wholePixel(event.position()))) {
+            if (resting_)
+                leave();
+            viewport_.hoverCube(part);
+            return true;
+        }
+        viewport_.hoverCube({});
         resting_ = at;
         if (!viewport_.drawPending_)
             hover();
@@ -182,9 +201,11 @@ bool Input::move(const QMouseEvent& event)
     const double still = kStillPx * viewport_.presenter_->pixelRatio();
     if (drag_ == Drag::undecided && glm::length(at.position - pressed_) >= still)
         takeLeftOver(at);
+    if (drag_ == Drag::cube && glm::length(at.position - pressed_) >= still)
+        drag_ = Drag::orbit;
     if (drag_ == Drag::tool)
         follow(acting().move(context(), at));
-    else if (drag_ != Drag::undecided) {
+    else if (isBusy()) {
         navigate(at.position - last_);
         last_ = at.position;
     }
@@ -218,6 +239,9 @@ void Input::end(const ToolPointer& at)
     boxes_ = false;
     if (ended == Drag::undecided)
         tool_->click(context(), at);
+    if (ended == Drag::cube)
+        if (const auto part = cubePartAt(at.position, viewport_.cubePicture()))
+            viewport_.lookFrom(*part);
     showCursor();
 }
 
@@ -280,8 +304,9 @@ bool Input::wheel(const QWheelEvent& event)
         return true;  // its way is measured in this view
     const double steps = event.angleDelta().isNull() ? event.pixelDelta().y() / kTouchpadNotchPx
                                                      : event.angleDelta().y() / kWheelNotch;
-    const double ratio = viewport_.presenter_->pixelRatio();
-    const Vec2 cursor = Vec2(event.position().x(), event.position().y()) * ratio;
+    if (drag_ == Drag::none)
+        viewport_.workAt(wholePixel(event.position()));
+    const Vec2 cursor = wholePixel(event.position()) - viewport_.pictureCorner();
     viewport_.setCamera(zoomed(viewport_.frame_.camera, steps, cursor, viewport_.pictureSize()));
     return true;
 }

@@ -37,12 +37,12 @@ public:
     // What the picture is to show of the tool.
     void show(Overlays& overlays) const;
     // Whether the hand is moving something: the model or the view.
-    [[nodiscard]] bool isBusy() const { return drag_ != Drag::none && drag_ != Drag::undecided; }
+    [[nodiscard]] bool isBusy() const { return drag_ > Drag::cube; }
     // Whether a tool is in the middle of a gesture.
     [[nodiscard]] bool isDragging() const { return drag_ == Drag::tool; }
 
 private:
-    enum class Drag { none, undecided, orbit, pan, zoom, tool };
+    enum class Drag { none, undecided, cube, orbit, pan, zoom, tool };
 
     bool press(const QMouseEvent& event);
     bool move(const QMouseEvent& event);
@@ -54,6 +54,7 @@ private:
     [[nodiscard]] Tool& acting() const { return boxes_ ? *box_ : *tool_; }
     void takeLeftOver(const ToolPointer& at);
     void end(const ToolPointer& at);
+    [[nodiscard]] Vec2 wholePixel(const QPointF& position) const;
     void leave();
     void navigate(const Vec2& way);
     void showCursor();

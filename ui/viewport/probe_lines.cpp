@@ -1,9 +1,10 @@
 #include "ui/viewport/probe_lines.h"
 
-#include <array>
 #include <string>
 
 #include <glm/geometric.hpp>
+
+#include "ui/viewport/stroke_text.h"
 
 namespace knotspan {
 
@@ -36,7 +37,8 @@ public:
         line(*middle - reach - reach / 3.0, *middle + reach + reach / 3.0, kDark, 8, 8);
         line(*middle - reach, *middle + reach, kHoverColour, 6, 6);
         if (number > 0)
-            digits(*middle + Vec2(10, 10) * view_.pixelRatio, number);
+            addStrokeText(to_, std::to_string(number), {.corner = *middle + Vec2(10, 10) * view_.pixelRatio},
+                          {.height = kDigitPx * view_.pixelRatio, .width = 1.5 * view_.pixelRatio});
     }
 
 private:
@@ -80,37 +82,6 @@ private:
         line(*from, neck, kDark, 4.5, 4.5);
         line(*from, neck, kNormalColour, 2.5, 2.5);
         line(neck, *to, kNormalColour, 10, 0);
-    }
-
-    // As on a pocket calculator: bits of segments, from the top clockwise, the middle one last.
-    void digits(Vec2 corner, int number)
-    {
-        static constexpr std::array<int, 10> kSegments{0x3f, 0x06, 0x5b, 0x4f, 0x66,
-                                                       0x6d, 0x7d, 0x07, 0x7f, 0x6f};
-        static constexpr std::array<std::array<double, 4>, 7> kEnds{{{0, 0, 1, 0},
-                                                                     {1, 0, 1, 1},
-                                                                     {1, 1, 1, 2},
-                                                                     {0, 2, 1, 2},
-                                                                     {0, 1, 0, 2},
-                                                                     {0, 0, 0, 1},
-                                                                     {0, 1, 1, 1}}};
-        const double unit = 0.5 * kDigitPx * view_.pixelRatio;
-        const double over = 0.75 * view_.pixelRatio;  // so that segments meet in whole corners
-        for (const std::uint32_t colour : {kDark, kHoverColour}) {
-            Vec2 at = corner;
-            for (const char digit : std::to_string(number)) {
-                for (size_t k = 0; k < kEnds.size(); ++k) {
-                    if ((kSegments[static_cast<size_t>(digit - '0')] >> k & 1) == 0)
-                        continue;
-                    const Vec2 from = at + Vec2(kEnds[k][0], kEnds[k][1]) * unit;
-                    const Vec2 to = at + Vec2(kEnds[k][2], kEnds[k][3]) * unit;
-                    const Vec2 more = glm::normalize(to - from) * over;
-                    const double width = colour == kDark ? 4.5 : 1.5;
-                    line(from - more, to + more, colour, width, width);
-                }
-                at.x += 1.8 * unit;
-            }
-        }
     }
 
     const PictureView& view_;

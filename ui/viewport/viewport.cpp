@@ -46,6 +46,7 @@ Viewport::Viewport(Document& document, Selection& selection, QWidget* parent)
         probes_.clear();
         viewPending_ = true;
         frame_.cullingCamera.reset();  // it stood before another model
+        panes_.forgetCameras();
         Q_EMIT frameChanged();
     });
     connect(&document_, &Document::sceneChanged, this, [this] {
@@ -79,6 +80,7 @@ void Viewport::restart()
 {
     usePresenter(nullptr);
     renderer_.reset();
+    drawnPanes_.clear();
     scenePending_ = true;
     prepared_.clear();
     Result<std::unique_ptr<Renderer>> made = Renderer::create();
@@ -188,6 +190,11 @@ void Viewport::fitSelection()
     setCamera(fitted(frame_.camera, shown.hullPoints(), pictureSize().aspect()));
 }
 
+void Viewport::lookFrom(const CubePart& part)
+{
+    setCamera(lookedFrom(part, frame_.camera));
+}
+
 void Viewport::setFriends(ShownFriends& friends)
 {
     friends_ = &friends;
@@ -208,14 +215,6 @@ bool Viewport::cancelDrag()
 bool Viewport::isDragging() const
 {
     return input_->isDragging();
-}
-
-PictureSize Viewport::pictureSize() const
-{
-    const QSize size = presenter_ ? presenter_->pixelSize() : QSize();
-    if (size.isEmpty())
-        return {std::max(width(), 1), std::max(height(), 1)};
-    return {size.width(), size.height()};
 }
 
 bool Viewport::eventFilter(QObject* watched, QEvent* event)

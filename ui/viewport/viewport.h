@@ -15,6 +15,8 @@
 #include "ui/viewport/shown_combs.h"
 #include "ui/viewport/shown_friends.h"
 #include "ui/viewport/shown_section.h"
+#include "ui/viewport/view_cube.h"
+#include "ui/viewport/view_panes.h"
 
 class QLabel;
 class QStackedLayout;
@@ -54,6 +56,12 @@ public:
     [[nodiscard]] const NavigationPreset& navigation() const { return *navigation_; }
     void setNavigation(const NavigationPreset& preset);
 
+    // One, two or four views; frame() is that of the one that was clicked last.
+    [[nodiscard]] PaneLayout paneLayout() const { return panes_.layout(); }
+    void setPaneLayout(PaneLayout layout);
+    [[nodiscard]] bool showsCube() const { return showsCube_; }
+    void showCube(bool on);
+
     // A named view of everything, or of the selected objects. With no renderer the camera moves all the same.
     void look(std::string_view view);
     void fit();
@@ -78,7 +86,9 @@ public:
     void drawNow();
     // Whether another picture comes without anybody doing anything.
     [[nodiscard]] bool isDrawPending() const { return drawPending_ || settling_.isActive(); }
+    // Of the view that frame() is, and where its upper left corner is in the picture of all views.
     [[nodiscard]] PictureSize pictureSize() const;
+    [[nodiscard]] Vec2 pictureCorner() const;
     // The object that gets the picture's events: a QWindow or a QWidget.
     [[nodiscard]] QObject* surface() const { return presenter_ ? presenter_->surface() : nullptr; }
 
@@ -107,7 +117,18 @@ private:
     void requestDraw();
     void usePresenter(std::unique_ptr<Presenter> presenter);
     void showFailure(const Error& error);
+    [[nodiscard]] PictureSize wholeSize() const;
+    // Makes the view under a pixel of the whole picture the one to work in.
+    void workAt(const Vec2& pixel);
+    [[nodiscard]] bool worksAt(const Vec2& pixel) const;
+    [[nodiscard]] CubePicture cubePicture() const;
+    void hoverCube(const std::optional<CubePart>& part);
+    void lookFrom(const CubePart& part);
+    void lookAfresh();
     void addSelectionTo(Overlays& overlays) const;
+    void addViewTo(Frame& frame, bool isCurrent) const;
+    [[nodiscard]] Frame sharedFrame();
+    [[nodiscard]] Result<void> drawOthers(const Frame& shared);
     [[nodiscard]] Result<void> draw();
     [[nodiscard]] Result<void> present();
     [[nodiscard]] bool mayLoosen() const;
@@ -118,7 +139,11 @@ private:
     Document& document_;
     Selection& selection_;
     ShownFriends* friends_ = nullptr;
-    Frame frame_;
+    Frame frame_;  // of the current pane
+    ViewPanes panes_;
+    std::vector<std::optional<Frame>> drawnPanes_;  // what the picture still has of each
+    bool showsCube_ = true;
+    std::optional<CubePart> hoveredPart_;  // of the cube
     Probes probes_;
     ShownCombs combs_{document_, selection_};
     ShownSection section_{document_};

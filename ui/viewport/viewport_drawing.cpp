@@ -6,7 +6,6 @@
 #include <QTimer>
 
 #include "ui/viewport/input.h"
-#include "ui/viewport/probe_lines.h"
 #include "ui/viewport/viewport.h"
 
 namespace knotspan {
@@ -47,24 +46,15 @@ void Viewport::drawNow()
 
 Result<void> Viewport::draw()
 {
-    if (viewPending_)
-        look("iso");
+    lookAfresh();
     drawPending_ = false;
     if (scenePending_) {
         if (Result<void> synced = renderer_->sync(document_.scene()); !synced)
             return synced;
         scenePending_ = false;
+        drawnPanes_.clear();
     }
-    Frame frame = frame_;
-    const PictureSize size = pictureSize();
-    frame.width = size.width;
-    frame.height = size.height;
-    addSelectionTo(frame.overlays);
-    if (friends_ != nullptr)
-        frame.overlays.edgeLines = friends_->lines();
-    frame.overlays.spaceLines = combs_.lines();
-    const std::vector<SharedSpaceLines>& cuts = section_.lines();
-    frame.overlays.spaceLines.insert(frame.overlays.spaceLines.end(), cuts.begin(), cuts.end());
+    Frame frame = sharedFrame();
     const bool isPrepared = !prepared_.insert(frame.path).second;
     if (!isPrepared)
         QGuiApplication::setOverrideCursor(Qt::WaitCursor);
@@ -75,9 +65,19 @@ Result<void> Viewport::draw()
     frame.tolerancePx = std::max(frame.tolerancePx, loosened_);
     QElapsedTimer clock;
     clock.start();
+    Result<void> others;
+    if (panes_.count() > 1) {
+        others = drawOthers(frame);
+        const PictureSize whole = wholeSize();
+        const Vec2 corner = pictureCorner();
+        frame.pane = Pane{static_cast<int>(corner.x), static_cast<int>(corner.y), whole.width, whole.height};
+    }
+    addViewTo(frame, true);
     const Result<FrameStats> stats = renderer_->draw(frame);
     if (!isPrepared)
         QGuiApplication::restoreOverrideCursor();
+    if (!others)
+        return others;
     if (!stats)
         return tl::unexpected(stats.error());
     if (Result<void> shown = present(); !shown)
@@ -88,6 +88,22 @@ Result<void> Viewport::draw()
         requestDraw();
     Q_EMIT frameDrawn(*stats);
     return {};
+}
+
+// What all views show.
+Frame Viewport::sharedFrame()
+{
+    Frame frame = frame_;
+    const PictureSize size = pictureSize();
+    frame.width = size.width;
+    frame.height = size.height;
+    addSelectionTo(frame.overlays);
+    if (friends_ != nullptr)
+        frame.overlays.edgeLines = friends_->lines();
+    frame.overlays.spaceLines = combs_.lines();
+    const std::vector<SharedSpaceLines>& cuts = section_.lines();
+    frame.overlays.spaceLines.insert(frame.overlays.spaceLines.end(), cuts.begin(), cuts.end());
+    return frame;
 }
 
 // While the hand moves, the picture may be coarser than asked for; once it rests, never. Frozen culling would
@@ -143,11 +159,6 @@ void Viewport::addSelectionTo(Overlays& overlays) const
     if (hovered)
         overlays.marks.push_back({hovered->object, hovered->index, kHoverColour});
     overlays.hovered = selection_.hoveredObject();
-    input_->show(overlays);
-    const PictureSize size = pictureSize();
-    const auto lines = probeLines(document_.scene(), probes_,
-                                  {frame_.camera, size.width, size.height, presenter_->pixelRatio()});
-    overlays.strokes.insert(overlays.strokes.end(), lines.begin(), lines.end());
 }
 
 }  // namespace knotspan

@@ -1,0 +1,27 @@
+// The picture that several frames make together, each in a place of its own.
+#pragma once
+
+#include "renderer/frame.h"
+#include "renderer/renderer.h"
+#include "renderer/vulkan/buffer.h"
+#include "renderer/vulkan/image.h"
+
+namespace knotspan {
+
+class Sheet {
+public:
+    Sheet(const Device& device, VkExtent2D extent);
+
+    [[nodiscard]] VkExtent2D extent() const { return image_.extent(); }
+    [[nodiscard]] Image& image() { return image_; }
+
+    // Copies a finished picture to its place; what would stand out is left out. Both can be copied before and
+    // after.
+    void put(VkCommandBuffer commands, const Image& picture, const Pane& pane);
+
+private:
+    Image image_;
+    bool fresh_ = true;
+};
+
+}  // namespace knotspan
