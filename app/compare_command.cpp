@@ -6,8 +6,8 @@
 
 #include "app/arguments.h"
 #include "app/commands.h"
+#include "app/compared_units.h"
 #include "app/output.h"
-#include "model/files/length_units.h"
 #include "model/mesh/scene_distance.h"
 
 namespace knotspan::app {
@@ -20,41 +20,6 @@ struct Options {
     std::string b;
     bool json = false;
 };
-
-bool namesUnits(const std::string& file)
-{
-    const formats::Format* format = formats::find(file);
-    return format != nullptr && format->namesUnits;
-}
-
-struct Units {
-    std::string name;
-    double scale = 1;  // of b's numbers
-};
-
-// A file that says nothing of units is taken to be in the other's; said wherever the user could be mistaken.
-Units unitsOf(const Options& options, const Scene& a, const Scene& b)
-{
-    if (!namesUnits(options.a) || !namesUnits(options.b)) {
-        const bool first = namesUnits(options.a);
-        const Units units{first || !namesUnits(options.b) ? a.units() : b.units(), 1};
-        if (first != namesUnits(options.b))
-            tell((first ? options.b : options.a) +
-                 ": The file names no unit of length: its numbers are taken as " + units.name + ".");
-        return units;
-    }
-    const double inA = formats::millimetresIn(a.units());
-    const double inB = formats::millimetresIn(b.units());
-    if (a.units() == b.units())
-        return {a.units(), 1};
-    if (!(inA > 0) || !(inB > 0)) {
-        tell("Between " + a.units() + " and " + b.units() +
-             " nothing is converted: one of them is no known unit.");
-        return {a.units(), 1};
-    }
-    tell(options.b + ": Lengths were converted from " + b.units() + " to " + a.units() + ".");
-    return {a.units(), inB / inA};
-}
 
 void tellHidden(const std::string& file, const Scene& scene)
 {
@@ -79,7 +44,7 @@ int run(const Options& options)
     const auto b = readModel(options.b);
     if (!b)
         return failed(b.error());
-    const Units units = unitsOf(options, *a, *b);
+    const ComparedUnits units = comparedUnits(options.a, *a, options.b, *b);
     tellHidden(options.a, *a);
     tellHidden(options.b, *b);
     const auto found = distanceBetween(*a, *b, units.scale);

@@ -52,8 +52,8 @@ void addLookOptions(CLI::App& command, LookTexts& texts)
     addText(command, "--matcap", texts.matcap, "Of matcap: which material: " + listed(matcaps()), "NAME");
     addText(command, "--curvature", texts.curvature, "Of curvature: which one: " + listed(curvatureKinds()),
             "KIND");
-    addText(command, "--range", texts.range, "And from where to where colours go (default: by the model)",
-            "LOW,HIGH");
+    addText(command, "--range", texts.range,
+            "Of curvature, deviation: from where to where colours go (default: by the model)", "LOW,HIGH");
     addText(command, "--checker", texts.checker, "Of checker: squares of one " + listed(checkers()), "BY");
     auto* squares =
         command.add_option("--squares", texts.squares, "And how many along each parameter (default 16)")
@@ -76,7 +76,7 @@ Look parseLook(const LookTexts& texts, Shading shading)
     isFor("--stripe-angle", texts.stripeAngle.has_value(), shading, striped);
     isFor("--matcap", !texts.matcap.empty(), shading, {Shading::matcap});
     isFor("--curvature", !texts.curvature.empty(), shading, {Shading::curvature});
-    isFor("--range", !texts.range.empty(), shading, {Shading::curvature});
+    isFor("--range", !texts.range.empty(), shading, {Shading::curvature, Shading::deviation});
     isFor("--pull", !texts.pull.empty(), shading, {Shading::draft});
     isFor("--draft", texts.draft.has_value(), shading, {Shading::draft});
     isFor("--checker", !texts.checker.empty(), shading, {Shading::checker});
@@ -98,7 +98,7 @@ Look parseLook(const LookTexts& texts, Shading shading)
         look.curvature =
             parseName("--curvature", texts.curvature, namesOf(curvatureKinds()), findCurvatureKind);
     if (!texts.range.empty())
-        look.curvatureRange = parseRange(texts.range);
+        (shading == Shading::deviation ? look.deviationRange : look.curvatureRange) = parseRange(texts.range);
     if (!texts.pull.empty())
         look.pull = parseVec3("--pull", texts.pull);
     if (!(glm::length(look.pull) > 0))

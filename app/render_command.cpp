@@ -1,13 +1,16 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <sstream>
 
 #include <QIODevice>
 #include <QImage>
 
 #include "app/commands.h"
+#include "app/compared_units.h"
 #include "app/output.h"
 #include "app/render_options.h"
+#include "model/mesh/deviation_map.h"
 #include "renderer/leak_count.h"
 #include "renderer/measurement/closed_model.h"
 #include "renderer/renderer.h"
@@ -15,6 +18,27 @@
 
 namespace knotspan::app {
 namespace {
+
+// How far the model is from the other one, told in a sentence and for the picture.
+Result<SharedSurfaceNumbers> deviationsOf(const RenderTexts& texts, const Scene& scene)
+{
+    const auto reference = readModel(texts.against);
+    if (!reference)
+        return tl::unexpected(reference.error());
+    const ComparedUnits units = comparedUnits(texts.file, scene, texts.against, *reference);
+    const auto map = deviationMap(scene, *reference, units.scale);
+    if (!map)
+        return tl::unexpected(map.error());
+    for (const std::string& note : map->notes)
+        tell(note);
+    std::ostringstream said;
+    const MeshDistance& found = map->figures;
+    said << "largest distance " << found.largest << " at (" << found.at.x << ", " << found.at.y << ", "
+         << found.at.z << "), mean " << found.mean << ", to within " << map->uncertainty() << ' '
+         << units.name << "; colours to within about " << map->accuracy << ' ' << units.name;
+    tell(said.str());
+    return map->distances;
+}
 
 struct Drawn {
     Picture picture;
@@ -97,7 +121,14 @@ Result<Drawn> render(const RenderTexts& texts, const RenderRequest& request)
     if (texts.tolerance && !pathInfo(path).followsTolerance)
         tell("The tolerance changes nothing here: " + pathInfo(path).name + " is " +
              pathInfo(path).description + ". The path tessellation follows it.");
-    return draw(**renderer, *scene, frameFor(texts, request, *scene, path), request, texts.frames);
+    Frame frame = frameFor(texts, request, *scene, path);
+    if (!texts.against.empty()) {
+        auto deviations = deviationsOf(texts, *scene);
+        if (!deviations)
+            return tl::unexpected(deviations.error());
+        frame.deviations = *std::move(deviations);
+    }
+    return draw(**renderer, *scene, frame, request, texts.frames);
 }
 
 Result<void> write(const RenderTexts& texts, const Drawn& drawn)

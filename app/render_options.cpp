@@ -72,6 +72,7 @@ void addRenderOptions(CLI::App& command, RenderTexts& texts)
         ->check(within(0.1, 170))
         ->type_name("DEG");
     text("--shading", texts.shading, "What colours say: " + listed(shadings()), "S");
+    text("--against", texts.against, "Of deviation: the model from which distances are taken", "FILE");
     addLookOptions(command, texts.look);
     command.add_flag("--net", texts.net, "Draw the control nets, too");
     command.add_flag("--knots", texts.knots, "Draw the borders of the KSQuads, too");
@@ -93,7 +94,7 @@ void addRenderOptions(CLI::App& command, RenderTexts& texts)
 RenderRequest parse(const RenderTexts& texts)
 {
     checkOutput("--output", texts.output, ".png", texts.file);
-    for (const std::string& other : {texts.file, texts.output})
+    for (const std::string& other : {texts.file, texts.output, texts.against})
         if (texts.stats != "-" && isSameFile(texts.stats, other))
             throw CLI::ValidationError("--stats",
                                        "'" + texts.stats + "' would be written over; choose another file");
@@ -109,6 +110,10 @@ RenderRequest parse(const RenderTexts& texts)
         request.evaluator = parseName("--evaluator", texts.evaluator, namesOf(evaluators()), findEvaluator);
     if (!texts.shading.empty())
         request.shading = parseName("--shading", texts.shading, namesOf(shadings()), findShading);
+    if (texts.against.empty() == (request.shading == Shading::deviation))
+        throw CLI::ValidationError("--against", "goes with --shading deviation, and that with it");
+    if (!texts.against.empty() && !texts.deform.empty())
+        throw CLI::ValidationError("--deform", "moves what --against would measure");
     request.look = parseLook(texts.look, request.shading);
     if (!texts.deform.empty())
         request.deformation = parseName("--deform", texts.deform, deformationNames(), findDeformation);

@@ -17,7 +17,7 @@ namespace knotspan::app {
 struct RenderTexts {
     std::string file, output, size, path, culling, sampling, evaluator, view, eye, target, up, shading,
         deform;
-    std::string stats;
+    std::string against, stats;
     LookTexts look;
     std::optional<double> tolerance;
     double fov = 35;

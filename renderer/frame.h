@@ -13,6 +13,7 @@
 #include "model/scene/control_point_editing.h"
 #include "model/scene/deformation.h"
 #include "model/scene/scene.h"
+#include "model/scene/surface_numbers.h"
 #include "renderer/culling/cull_modes.h"
 #include "renderer/paths/path_list.h"
 #include "renderer/scene/camera.h"
@@ -141,7 +142,8 @@ struct Frame {
     double tolerancePx = 0.5;
     Evaluator evaluator = Evaluator::automatic;  // by the largest degree that shows
     Shading shading = Shading::shaded;
-    Look look;  // what those shadings are told that have something to choose
+    Look look;                        // what those shadings are told that have something to choose
+    SharedSurfaceNumbers deviations;  // that the shading `deviation` shows; null: none are known
     std::optional<Wave>
         wave;  // moves control points on the device; paths that do not draw from there stay at rest
     Overlays overlays;

@@ -68,7 +68,8 @@ FrameStats Renderer::Parts::statsOf(const Frame& frame, const SurfacePath& path,
     if (const std::string limit = path.limit(); !limit.empty())
         stats.pathLimit = limit;
     noteErrors(stats, counted_, frame.shading == Shading::error);
-    if (frame.shading == Shading::curvature || frame.shading == Shading::draft) {
+    if (frame.shading == Shading::curvature || frame.shading == Shading::draft ||
+        frame.shading == Shading::deviation) {
         stats.rampLow = frameRecord_->lookRange.x;
         stats.rampHigh = frameRecord_->lookRange.y;
     }

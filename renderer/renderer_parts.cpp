@@ -50,7 +50,8 @@ Renderer::Parts::Parts(std::unique_ptr<Instance> madeInstance, const RendererOpt
       marks(device, bindings, uploader),
       spaceLines(device, bindings, uploader),
       strokes(device, bindings, uploader),
-      spanPlaceRecords(bindings, uploader, BINDING_SPAN_PLACES)
+      spanPlaceRecords(bindings, uploader, BINDING_SPAN_PLACES),
+      deviationRecords(bindings, uploader, BINDING_DEVIATIONS)
 {
     bindings.provide(BINDING_FRAME, frameBuffer_, sizeof(gpu::FrameRecord));
 }
@@ -181,6 +182,9 @@ FrameStats Renderer::Parts::draw(const Frame& wantedFrame, bool capture)
         prepareCulling(frame, path);
         if (frame.shading == Shading::checker)
             spanPlaceRecords.send(spanPlaces.of(scene.residents(), frame.look.checker, &scene.changes()));
+        if (frame.shading == Shading::deviation &&
+            deviations.follow(scene.residents(), frame.deviations, &scene.changes()))
+            deviationRecords.send(deviations.words());
         prepareOverlays(frame.overlays);
         uploaded += drawWhole(frame, path, rule, capture, started);
     } catch (...) {
@@ -194,6 +198,8 @@ FrameStats Renderer::Parts::draw(const Frame& wantedFrame, bool capture)
         spaceLines.forget();
         strokes.forget();
         spanPlaceRecords.forget();
+        deviations.forget();
+        deviationRecords.forget();
         sceneIsHeld_ = false;
         frameRecord_.reset();
         lastFrame.reset();

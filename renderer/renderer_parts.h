@@ -20,6 +20,7 @@
 #include "renderer/point_evaluation.h"
 #include "renderer/sampling/sampling_pass.h"
 #include "renderer/scene/curvature_range.h"
+#include "renderer/scene/deviation_table.h"
 #include "renderer/scene/facing_table.h"
 #include "renderer/scene/friend_sides.h"
 #include "renderer/scene/gpu_scene.h"
@@ -62,6 +63,7 @@ struct Renderer::Parts {
     FriendSides friendSides;
     CurvatureRange curvatureRange;
     SpanPlaces spanPlaces;
+    DeviationTable deviations;
     CullPass culling;
     DepthPyramid pyramid;
     WrongCulls wrongCulls;
@@ -75,6 +77,7 @@ struct Renderer::Parts {
     SpaceLinesOverlay spaceLines;
     Strokes strokes;
     SentRecords<float> spanPlaceRecords;
+    SentRecords<std::uint32_t> deviationRecords;
     std::map<std::pair<PathId, PathVariant>, std::unique_ptr<SurfacePath>>
         paths;  // made when first drawn with
     std::unique_ptr<FrameTargets> targets;

@@ -88,6 +88,8 @@ void Renderer::Parts::updateFrameRecord(const Frame& frame, SurfacePath& path, S
     NumberRange range;
     if (frame.shading == Shading::curvature)
         range = curvatureRange.of(scene.residents(), frame.look, size, &scene.changes());
+    else if (frame.shading == Shading::deviation)
+        range = frame.look.deviationRange.value_or(deviations.range());
     fillLook(record, frame.shading, frame.look, frame.camera, size, range);
     if (path.tiles() && path.tiles()->wholeGrids)
         record.flags |= FRAME_WHOLE_TILES;

@@ -257,6 +257,13 @@ const std::vector<ActionInfo>& viewActions()
          .tip = TEXT("Show where a plane cuts the visible surfaces; the panel Measures moves it"),
          .run = [](Window& w, bool on) { showSection(w, on); },
          .isChecked = [](Window& w) { return w.viewport().section().settings().shown; }},
+        {.id = "view.deviation",
+         .text = TEXT("&Deviation"),
+         .shortcuts = {QKeySequence("Shift+D")},
+         .tip = TEXT(
+             "Colour the selected surfaces by their distance from the others; the panel Measures has more"),
+         .run = [](Window& w, bool on) { w.viewport().showDeviation(on); },
+         .isChecked = [](Window& w) { return w.viewport().frame().shading == Shading::deviation; }},
         {.id = "view.freezeCulling",
          .text = TEXT("Free&ze culling"),
          .shortcuts = {QKeySequence("Shift+C")},

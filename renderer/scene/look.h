@@ -36,6 +36,8 @@ struct Look {
     CurvatureKind curvature = CurvatureKind::mean;
     std::optional<NumberRange> curvatureRange;  // 1 per model unit (gauss: its square); nothing: by the model
 
+    std::optional<NumberRange> deviationRange;  // model units; nothing: from 0 to the largest distance
+
     CheckerBy checker = CheckerBy::parameter;
     int checkerCells = 16;                // by parameter: along each
     std::optional<double> checkerLength;  // by length: of a square, above 0; nothing: by the model

@@ -10,7 +10,8 @@ namespace knotspan {
 
 static_assert(static_cast<int>(Shading::error) == SHADING_ERROR &&
               static_cast<int>(Shading::draft) == SHADING_DRAFT &&
-              static_cast<int>(Shading::checker) == SHADING_CHECKER);
+              static_cast<int>(Shading::checker) == SHADING_CHECKER &&
+              static_cast<int>(Shading::deviation) == SHADING_DEVIATION);
 static_assert(static_cast<int>(CurvatureKind::mean) == LOOK_MEAN &&
               static_cast<int>(CurvatureKind::smallest) == LOOK_SMALLEST);
 static_assert(static_cast<int>(Matcap::clay) == LOOK_CLAY && static_cast<int>(Matcap::pearl) == LOOK_PEARL);
@@ -41,13 +42,13 @@ double countOf(Shading shading, const Look& look, double size)
 }  // namespace
 
 void fillLook(gpu::FrameRecord& record, Shading shading, const Look& look, const Camera& camera, double size,
-              const NumberRange& curvature)
+              const NumberRange& numbers)
 {
     record.shading = static_cast<std::uint32_t>(shading);
     record.lookKind = kindOf(shading, look);
     record.lookCount = static_cast<float>(countOf(shading, look, size));
     Vec3 axis;
-    NumberRange range = curvature;
+    NumberRange range = numbers;
     if (shading == Shading::draft) {
         axis = Vec3(camera.rotation() * Vec4(look.pull, 0));
         range = {-look.draftDegrees, look.draftDegrees};

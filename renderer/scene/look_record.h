@@ -8,8 +8,8 @@
 
 namespace knotspan {
 
-// `size`: of the model. `curvature`: the range of that shading.
+// `size`: of the model. `numbers`: the range of curvatures or of deviations, whichever the shading shows.
 void fillLook(gpu::FrameRecord& record, Shading shading, const Look& look, const Camera& camera, double size,
-              const NumberRange& curvature);
+              const NumberRange& numbers);
 
 }  // namespace knotspan

@@ -19,6 +19,8 @@ const std::vector<ShadingInfo>& shadings()
          "How far the surface leans from the direction in which a mould is pulled: blue is undercut"},
         {Shading::checker, "checker",
          "Squares along the parameters, or of one length: how the parameters run"},
+        {Shading::deviation, "deviation",
+         "How far each point is from what it is compared with: blue not at all, orange the most"},
         {Shading::normals, "normals", "The surface normal as a colour"},
         {Shading::ksquads, "ksquads", "Each KSQuad in a colour of its own"},
         {Shading::error, "error",

@@ -21,7 +21,8 @@ enum class Shading : int {
     matcap,
     curvature,
     draft,
-    checker
+    checker,
+    deviation
 };
 
 struct ShadingInfo {

@@ -63,8 +63,9 @@ struct FrameStats {
     std::optional<double> errorPxMax;
     std::optional<double> errorPxMean;
     std::optional<std::uint64_t> errorPixelsLost;  // measured by their place alone (surface_error.frag)
-    std::optional<double> errorBoundPx;       // what the sampling rule promised, where it promises anything
-    // What the ends of the ramp stand for, of shadings that show numbers: curvature, degrees of draft.
+    std::optional<double> errorBoundPx;  // what the sampling rule promised, where it promises anything
+    // What the ends of the ramp stand for, of shadings that show numbers: curvature, degrees of draft,
+    // deviation.
     std::optional<double> rampLow;
     std::optional<double> rampHigh;
     std::optional<std::uint64_t> leakPixels;  // background seen through a closed model (leak_count.h)

@@ -47,7 +47,8 @@
 #define BINDING_MESH_TRIANGLES 42
 #define BINDING_SPAN_PLACES 43       // where spans of surfaces lie along their parameters, or along their iso-curves
 #define BINDING_SPACE_LINES 44       // straight lines in the model
-#define BINDING_COUNT 45
+#define BINDING_DEVIATIONS 45        // for each KSQuad, a grid of its distances from a reference
+#define BINDING_COUNT 46
 
 // Specialization constants.
 #define KNOTSPAN_LINES_CONSTANT 0      // of the overlays: lines, not points

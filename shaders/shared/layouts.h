@@ -42,6 +42,7 @@ namespace knotspan::gpu {
 #define SHADING_CURVATURE 8u
 #define SHADING_DRAFT 9u
 #define SHADING_CHECKER 10u
+#define SHADING_DEVIATION 11u
 
 // Kinds of a shading: of a matcap, of curvature.
 #define LOOK_CLAY 0u

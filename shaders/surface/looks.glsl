@@ -131,6 +131,26 @@ vec3 numberColour(float number)
     return abs(number) <= 3.0e38 ? rampColour(place) : noNumberColour();
 }
 
+layout(set = 0, binding = BINDING_DEVIATIONS, scalar) readonly buffer DeviationBuffer { uint deviations[]; };
+
+float deviationValue(uint at) { return uintBitsToFloat(deviations[at]); }
+
+// Interpolated on the KSQuad's grid; no number where it has none.
+float deviationAt(PixelPlace place)
+{
+    uint start = deviations[place.ksquad];
+    if (start == 0u)
+        return 3.4e38;
+    uint cells = deviations[start];
+    vec2 at = clamp(place.t, 0.0, 1.0) * float(cells);
+    uvec2 cell = min(uvec2(at), uvec2(cells - 1u));
+    vec2 share = at - vec2(cell);
+    uint row = start + 1u + cell.x * (cells + 1u) + cell.y;
+    uint next = row + cells + 1u;
+    return mix(mix(deviationValue(row), deviationValue(row + 1u), share.y),
+               mix(deviationValue(next), deviationValue(next + 1u), share.y), share.x);
+}
+
 // How far the surface leans from the direction in which a mould is pulled: 0 degrees where it is parallel to it.
 float draftDegrees(vec3 normal)
 {

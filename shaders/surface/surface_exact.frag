@@ -38,6 +38,8 @@ vec3 lookOf(uint surface, ExactPoint at)
         return numberColour(draftDegrees(at.normal));
     case SHADING_CHECKER:
         return checker(surface, at, inside);
+    case SHADING_DEVIATION:
+        return numberColour(deviationAt(at.place));
     default:
         return 0.5 + 0.5 * at.normal;
     }

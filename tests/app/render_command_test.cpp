@@ -122,6 +122,25 @@ TEST_F(RenderCommand, ADeformationMovesTheSurfaceAndUploadsOnlyWhatMoved)
     EXPECT_LT(point, uploaded("all"));
 }
 
+TEST_F(RenderCommand, SaysAndShowsHowFarTheModelIsFromAnother)
+{
+    needDevice();
+    if (IsSkipped())
+        return;
+    const std::string other = folder / "other.knotspan";
+    ASSERT_EQ(runProgram({"sample", "single-100", "-o", other}).exitCode, 0);
+    std::vector<std::string> pictures;
+    for (const std::string& against : {model, other}) {
+        const ProgramRun run = runProgram({"render", model, "-o", picture, "--size", "96x64", "--shading",
+                                           "deviation", "--range", "0,1", "--against", against});
+        EXPECT_EQ(run.exitCode, 0) << run.messages;
+        EXPECT_NE(run.messages.find("largest distance "), std::string::npos) << run.messages;
+        EXPECT_NE(run.messages.find("colours to within about "), std::string::npos) << run.messages;
+        pictures.push_back(readFile(picture));
+    }
+    EXPECT_NE(pictures[0], pictures[1]);
+}
+
 TEST_F(RenderCommand, RefusesWrongCalls)
 {
     const std::vector<std::string> good{"render", model, "-o", picture};
@@ -155,6 +174,8 @@ TEST_F(RenderCommand, RefusesWrongCalls)
              {"--shading", "curvature", "--range", "2"},
              {"--shading", "draft", "--pull", "0,0,0"},
              {"--shading", "draft", "--draft", "0"},
+             {"--shading", "deviation"},
+             {"--against", model},
              {"--shading", "checker", "--square-length", "2"},
              {"--shading", "checker", "--checker", "length", "--squares", "3"},
              {"--frames", "0"},

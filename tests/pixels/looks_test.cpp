@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "model/mesh/deviation_map.h"
 #include "tests/pixels/closed_forms.h"
 #include "tests/renderer/render_support.h"
 
@@ -20,12 +21,24 @@ struct Met {
     std::optional<ClosedPoint> point;
 };
 
+// How far below the form a plane lies that a picture measures it from.
+constexpr double kPlane = -7;
+
+SharedSurfaceNumbers heightsOf(const ClosedForm& form)
+{
+    Scene plane;
+    plane.addMesh(
+        meshObject("plane", {{{-99, -99, kPlane}, {99, -99, kPlane}, {0, 99, kPlane}}, {{0, 1, 2}}}));
+    return deviationMap(form.scene, plane).value().distances;
+}
+
 // A closed form as the eye sees it: what is met at each pixel's centre and half-way between.
 class ClosedPicture {
 public:
     explicit ClosedPicture(ClosedForm form)
         : form_(std::move(form)),
-          frame_(frameOf(form_.scene, PathId{}, kWidth, kHeight))
+          frame_(frameOf(form_.scene, PathId{}, kWidth, kHeight)),
+          heights_(heightsOf(form_))
     {
         for (int y = 0; y < 2 * kHeight; ++y)
             for (int x = 0; x < 2 * kWidth; ++x) {
@@ -36,6 +49,7 @@ public:
 
     [[nodiscard]] const ClosedForm& form() const { return form_; }
     [[nodiscard]] const Frame& frame() const { return frame_; }
+    [[nodiscard]] const SharedSurfaceNumbers& heights() const { return heights_; }
 
     // At a pixel's centre, and so many halves of a pixel beside it. Null: nothing is met, or nearly edge-on.
     [[nodiscard]] const Met* at(int x, int y, int besideX = 0, int besideY = 0) const
@@ -65,6 +79,7 @@ public:
 private:
     ClosedForm form_;
     Frame frame_;
+    SharedSurfaceNumbers heights_;
     std::vector<Met> met_;
 };
 
@@ -143,6 +158,12 @@ std::optional<Vec3> stripeColour(const Frame& frame, const ClosedPicture& closed
     return (bright ? Vec3(0.93, 0.92, 0.86) : Vec3(0.16, 0.28, 0.42)) * inside;
 }
 
+std::optional<Vec3> heightColour(const Frame& frame, const ClosedPicture& closed, int x, int y)
+{
+    const NumberRange range = *frame.look.deviationRange;
+    return colourOnRamp((closed.at(x, y)->point->position.z - kPlane - range.low) / (range.high - range.low));
+}
+
 struct LookCase {
     const char* name;
     Shading shading;
@@ -171,6 +192,9 @@ std::vector<LookCase> lookCases()
         look.curvatureRange = NumberRange{-1.3, 1.9};
         cases.push_back({kind.name.c_str(), Shading::curvature, look, curvatureColour});
     }
+    Look heights;
+    heights.deviationRange = NumberRange{4, 10};
+    cases.push_back({"deviation", Shading::deviation, heights, heightColour});
     return cases;
 }
 
@@ -181,6 +205,8 @@ void expectTrue(Renderer& renderer, const ClosedPicture& closed, const LookCase&
     frame.path = path;
     frame.shading = look.shading;
     frame.look = look.look;
+    if (look.shading == Shading::deviation)
+        frame.deviations = closed.heights();
     const Picture picture = drawn(renderer, form.scene, frame).picture;
     // The path surface cuts whole surfaces by a few lines: beside a pole, pixels get parameters from the
     // other side of it, from where no step finds back.

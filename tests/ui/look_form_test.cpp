@@ -40,7 +40,7 @@ TEST_F(LookForms, ShowWhatTheShadingReadsAndNothingElse)
         {Shading::zebra, "look-stripes"},     {Shading::reflection, "look-stripes"},
         {Shading::isophotes, "look-stripes"}, {Shading::matcap, "look-matcap"},
         {Shading::curvature, "look-low"},     {Shading::draft, "look-draft"},
-        {Shading::checker, "look-squares"}};
+        {Shading::checker, "look-squares"},   {Shading::deviation, "ramp-legend"}};
     for (const ShadingInfo& info : shadings()) {
         shade(viewport_, info.id);
         const auto reader = readers.find(info.id);

@@ -9,9 +9,9 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
-#include "ui/viewport/number_box.h"
 #include "ui/panels/ramp_legend.h"
 #include "ui/viewport/described.h"
+#include "ui/viewport/number_box.h"
 
 namespace knotspan {
 
@@ -198,8 +198,10 @@ void LookForm::showFrame()
     const Page page = pageOf(frame.shading);
     pages_->setCurrentIndex(page);
     pages_->setMaximumHeight(pages_->currentWidget()->sizeHint().height());
-    setVisible(page != kNothing);
-    legend_->setVisible(page == kCurvature || page == kDraft);
+    const bool isRamp = page == kCurvature || page == kDraft || frame.shading == Shading::deviation;
+    pages_->setVisible(page != kNothing);
+    setVisible(page != kNothing || isRamp);
+    legend_->setVisible(isRamp);
     stripes_->setValue(look.stripes);
     angle_->setValue(static_cast<int>(look.stripesTurnedDegrees));
     matcap_->setCurrentIndex(matcap_->findData(static_cast<int>(look.matcap)));
@@ -230,7 +232,7 @@ void LookForm::showRamp(const FrameStats& stats)
     const NumberRange range{*stats.rampLow, *stats.rampHigh};
     const bool draft = viewport_.frame().shading == Shading::draft;
     legend_->show(range, draft ? tr("°") : QString());
-    if (draft || viewport_.frame().look.curvatureRange)
+    if (viewport_.frame().shading != Shading::curvature || viewport_.frame().look.curvatureRange)
         return;
     isShowing_ = true;  // where setting a range starts from
     low_->setValue(range.low);

@@ -3,6 +3,7 @@
 #include <QVBoxLayout>
 
 #include "ui/panels/combs_form.h"
+#include "ui/panels/deviation_form.h"
 #include "ui/panels/probe_view.h"
 #include "ui/panels/properties_view.h"
 #include "ui/panels/section_form.h"
@@ -19,6 +20,7 @@ MeasuresPanel::MeasuresPanel(Document& document, Selection& selection, Viewport&
     layout->addWidget(new PropertiesView(document, selection, column));
     layout->addWidget(new CombsForm(document, viewport, column));
     layout->addWidget(new SectionForm(document, viewport, column));
+    layout->addWidget(new DeviationForm(document, selection, viewport, column));
     setWidget(column);
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);

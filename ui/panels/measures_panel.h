@@ -1,5 +1,5 @@
 // What is measured of the model: probes and what lies between them, the
-// properties of what is selected, curvature combs, a section.
+// properties of what is selected, curvature combs, a section, deviation.
 #pragma once
 
 #include <QScrollArea>

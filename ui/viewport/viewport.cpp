@@ -59,6 +59,7 @@ Viewport::Viewport(Document& document, Selection& selection, QWidget* parent)
     connect(&probes_, &Probes::changed, this, &Viewport::requestDraw);
     connect(&combs_, &ShownCombs::changed, this, &Viewport::requestDraw);
     connect(&section_, &ShownSection::changed, this, &Viewport::requestDraw);
+    connect(&deviation_, &ShownDeviation::changed, this, &Viewport::requestDraw);
     settling_.setSingleShot(true);
     connect(&settling_, &QTimer::timeout, this, &Viewport::settle);
     frame_.camera.up = {0, 0, 1};
@@ -73,6 +74,7 @@ Viewport::~Viewport()
     probes_.disconnect(this);
     combs_.disconnect(this);
     section_.disconnect(this);
+    deviation_.disconnect(this);
     usePresenter(nullptr);
 }
 
@@ -200,6 +202,15 @@ void Viewport::setFriends(ShownFriends& friends)
     friends_ = &friends;
     connect(&friends, &ShownFriends::changed, this, &Viewport::requestDraw);
     requestDraw();
+}
+
+void Viewport::showDeviation(bool on)
+{
+    if (on && deviation_.settings() == DeviationSettings{})
+        deviation_.setSettings({selection_.objects(), {}});
+    Frame frame = frame_;
+    frame.shading = on ? Shading::deviation : Shading::shaded;
+    setFrame(frame);
 }
 
 void Viewport::zoomTo(const Vec3& point, double units, const Vec3& outward)

@@ -13,6 +13,7 @@
 #include "ui/viewport/pace.h"
 #include "ui/viewport/presenter.h"
 #include "ui/viewport/shown_combs.h"
+#include "ui/viewport/shown_deviation.h"
 #include "ui/viewport/shown_friends.h"
 #include "ui/viewport/shown_section.h"
 #include "ui/viewport/view_cube.h"
@@ -73,6 +74,10 @@ public:
     [[nodiscard]] Probes& probes() { return probes_; }
     [[nodiscard]] ShownCombs& combs() { return combs_; }
     [[nodiscard]] ShownSection& section() { return section_; }
+    [[nodiscard]] ShownDeviation& deviation() { return deviation_; }
+    // Turns the shading `deviation` on and off. Where nothing was chosen to be compared yet, the selected
+    // surfaces are measured.
+    void showDeviation(bool on);
     // Goes to a point of the model, so that about `units` around it fill the picture, and turns so far that
     // one looks against `outward`; a zero vector: not at all.
     void zoomTo(const Vec3& point, double units, const Vec3& outward);
@@ -147,6 +152,7 @@ private:
     Probes probes_;
     ShownCombs combs_{document_, selection_};
     ShownSection section_{document_};
+    ShownDeviation deviation_{document_};
     ToolSettings toolSettings_;
     const NavigationPreset* navigation_;
     Pace pace_;

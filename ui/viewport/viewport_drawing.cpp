@@ -103,6 +103,10 @@ Frame Viewport::sharedFrame()
     frame.overlays.spaceLines = combs_.lines();
     const std::vector<SharedSpaceLines>& cuts = section_.lines();
     frame.overlays.spaceLines.insert(frame.overlays.spaceLines.end(), cuts.begin(), cuts.end());
+    if (frame.shading == Shading::deviation)
+        frame.deviations = deviation_.follow();
+    else
+        deviation_.rest();
     return frame;
 }
 
