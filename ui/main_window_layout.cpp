@@ -23,6 +23,7 @@
 #include "ui/recovery_bar.h"
 #include "ui/tool_settings_store.h"
 #include "ui/tools/tool_list.h"
+#include "ui/viewport/described.h"
 #include "ui/viewport/navigation_presets.h"
 
 namespace knotspan {
@@ -186,6 +187,16 @@ void MainWindow::makeStatusBar()
     connect(commandKeys_, &CommandKeys::changed, hint, showHint);
     hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // a narrow window cuts it off
     statusBar()->addWidget(hint, 1);
+    auto* reading = new QLabel;
+    describe(reading, "ramp-reading", tr("Under the pointer"),
+             tr("What the surface's colour under the pointer stands for"));
+    reading->setContentsMargins(6, 0, 6, 0);
+    reading->hide();
+    statusBar()->addPermanentWidget(reading);
+    connect(viewport_, &Viewport::rampRead, reading, [reading](const QString& text) {
+        reading->setText(text);
+        reading->setVisible(!text.isEmpty());
+    });
     frameLine_ = new QLabel;
     frameLine_->setAccessibleName(tr("The last frame"));
     frameLine_->setContentsMargins(6, 0, 6, 0);

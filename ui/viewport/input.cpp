@@ -116,6 +116,7 @@ void Input::leave()
     viewport_.hoverCube({});
     if (viewport_.presenter_)
         tool_->leave(context());
+    viewport_.readRamp({});
 }
 
 // While the hand drags, plain keys are the tool's: Z means the axis, N no net.
@@ -164,6 +165,7 @@ bool Input::press(const QMouseEvent& event)
     button_ = event.button();
     pressed_ = last_ = at.position;
     resting_.reset();
+    viewport_.readRamp({});
     if (button_ == Qt::LeftButton && viewport_.showsCube() &&
         cubePartAt(at.position, viewport_.cubePicture())) {
         drag_ = Drag::cube;
@@ -284,6 +286,7 @@ void Input::hover()
 {
     if (resting_ && drag_ == Drag::none)
         tool_->hover(context(), *resting_);
+    viewport_.readRamp(resting_ && drag_ == Drag::none ? std::optional(resting_->position) : std::nullopt);
 }
 
 void Input::navigate(const Vec2& way)

@@ -111,6 +111,8 @@ Q_SIGNALS:
     void navigationChanged();
     // What a tool has to say while the hand is busy; empty: nothing more.
     void hint(const QString& sentence);
+    // What the colour under the pointer stands for; empty: nothing, or the shading shows no numbers.
+    void rampRead(const QString& text);
     void failed(const QString& sentence);
 
 protected:
@@ -140,6 +142,7 @@ private:
     void keepPace(const Frame& drawn, double ms);
     void settle();
     [[nodiscard]] Pick pick(const Vec2& position, double radius);
+    void readRamp(const std::optional<Vec2>& position);
 
     Document& document_;
     Selection& selection_;

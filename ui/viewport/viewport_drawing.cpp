@@ -6,6 +6,7 @@
 #include <QTimer>
 
 #include "ui/viewport/input.h"
+#include "ui/viewport/ramp_reading.h"
 #include "ui/viewport/viewport.h"
 
 namespace knotspan {
@@ -108,6 +109,24 @@ Frame Viewport::sharedFrame()
     else
         deviation_.rest();
     return frame;
+}
+
+// From the picture that is there: none is drawn for it.
+void Viewport::readRamp(const std::optional<Vec2>& position)
+{
+    if (position && drawPending_)
+        return;  // once it is there
+    QString text;
+    if (position && renderer_ && showsNumbers(frame_.shading)) {
+        Frame frame = frame_;
+        if (const DeviationMap* const map = deviation_.map())
+            frame.deviations = map->distances;
+        const Result<Pick> picked = renderer_->pick(position->x, position->y, 0);
+        if (picked && picked->place)
+            if (const auto number = rampNumber(document_.scene(), frame, *picked->place))
+                text = rampText(frame, *number, document_.scene().units());
+    }
+    Q_EMIT rampRead(text);
 }
 
 // While the hand moves, the picture may be coarser than asked for; once it rests, never. Frozen culling would
