@@ -18,6 +18,7 @@
 #include "ui/command_keys.h"
 #include "ui/document_files.h"
 #include "ui/message_bar.h"
+#include "ui/picture_settings_store.h"
 #include "ui/recovery.h"
 #include "ui/tool_settings_store.h"
 
@@ -150,6 +151,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
     settings.setValue("geometry", saveGeometry());
     settings.setValue("layout", saveState());
     storeToolSettings(viewport_->toolSettings());
+    storePicture(*viewport_);
     event->accept();
 }
 

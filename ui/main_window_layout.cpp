@@ -19,6 +19,7 @@
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
 #include "ui/panel_list.h"
+#include "ui/picture_settings_store.h"
 #include "ui/reading_line.h"
 #include "ui/recovery_bar.h"
 #include "ui/tool_settings_store.h"
@@ -247,6 +248,7 @@ void MainWindow::restoreLayout()
     restoreGeometry(settings.value("geometry").toByteArray());
     restoreState(settings.value("layout").toByteArray());
     viewport_->setToolSettings(storedToolSettings());
+    restorePicture(*viewport_);
     shownFriends_.showLines(settings.value("friendEdges", false).toBool());
     viewport_->showCube(settings.value("viewCube", true).toBool());
     viewport_->setNavigation(findNavigation(settings.value("navigation").toString()));

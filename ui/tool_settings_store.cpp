@@ -1,29 +1,8 @@
 #include "ui/tool_settings_store.h"
 
-#include <algorithm>
-
-#include <QSettings>
+#include "ui/stored_values.h"
 
 namespace knotspan {
-
-namespace {
-
-// Files of settings are written by hand, too.
-double numberIn(const QSettings& settings, const char* key, double otherwise, double least, double most)
-{
-    bool isNumber = false;
-    const double value = settings.value(key).toDouble(&isNumber);
-    return isNumber && value >= least && value <= most ? value : otherwise;
-}
-
-template <class Enum>
-Enum choiceIn(const QSettings& settings, const char* key, Enum otherwise, Enum last)
-{
-    return static_cast<Enum>(static_cast<int>(
-        numberIn(settings, key, static_cast<double>(otherwise), 0, static_cast<double>(last))));
-}
-
-}  // namespace
 
 ToolSettings storedToolSettings()
 {
