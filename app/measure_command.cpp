@@ -13,6 +13,7 @@
 #include "app/path_report.h"
 #include "model/geometry/ksquad.h"
 #include "model/geometry/simd_targets.h"
+#include "renderer/measurement/flight.h"
 #include "ui/plots/plot_svg.h"
 
 namespace knotspan::app {
@@ -85,10 +86,14 @@ Result<EvaluatorReport> measureEvaluators(const Subject& subject, size_t count)
 
 PathReport measurePaths(const Subject& subject, const MeasureRequest& request)
 {
-    PathReport report{subject.file, subject.device(), request.ofPaths, {}};
+    PathReport report{subject.file, {}, request.ofPaths, {}, visibleKsQuads(subject.scene)};
+    if (subject.renderer)
+        report.device = (*subject.renderer)->deviceInfo();
     Frame& frame = report.request.frame;
     frame.camera = *namedView(request.view, subject.scene.hullPoints(),
                               static_cast<double>(frame.width) / frame.height, false);
+    report.request.flight = flightAround(subject.scene, static_cast<size_t>(request.flight),
+                                         static_cast<double>(frame.width) / frame.height);
     if (!subject.renderer) {
         report.rows =
             plannedRows(report.request, [&](PathId) { return subject.renderer.error().sentence(); });
@@ -172,8 +177,7 @@ int run(const MeasureTexts& texts)
                 {{*texts.plot, [&](QIODevice& device) { return writeSvg(findings->plots, device); }}});
             !written)
             return failed(written.error());
-    constexpr auto kReplace = nlohmann::ordered_json::error_handler_t::replace;
-    std::cout << (texts.json ? findings->json.dump(2, ' ', false, kReplace) + "\n" : findings->tables);
+    std::cout << (texts.json ? textOf(findings->json) : findings->tables);
     return kDone;
 }
 

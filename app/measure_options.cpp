@@ -77,6 +77,12 @@ void addMeasureOptions(CLI::App& command, MeasureTexts& texts)
     text("--size", texts.size, "Paths: size of the picture in pixels (default 640x480)", "WxH");
     text("--view", texts.view, "Paths: from where: " + joined(namedViews(), ", ") + " (default iso)", "VIEW");
     command
+        .add_option(
+            "--flight", texts.flight,
+            "Paths: fly around the model, N views of it in place of --view, as the window's benchmark does")
+        ->check(wholeWithin(1, 1000))
+        ->type_name("N");
+    command
         .add_option("--frames", texts.frames,
                     "Paths: how many frames are timed for a row, after one that is not; fewer where they "
                     "take long")
@@ -118,6 +124,7 @@ MeasureRequest parse(const MeasureTexts& texts)
         checkView(texts.view);
         request.view = texts.view;
     }
+    request.flight = texts.flight;
     const PixelSize size = texts.size.empty() ? kDefaultSize : parseSize("--size", texts.size);
     ofPaths.frame.width = size.width;
     ofPaths.frame.height = size.height;

@@ -17,6 +17,7 @@ struct MeasureTexts {
     std::optional<int> device;
     int points = 200'000;
     int frames = 5;
+    int flight = 0;
 };
 
 void addMeasureOptions(CLI::App& command, MeasureTexts& texts);
@@ -26,6 +27,7 @@ struct MeasureRequest {
     bool paths = true;
     bool evaluators = true;
     std::string view = "iso";
+    int flight = 0;                  // how many views around the model in place of that one; 0: none
     PathMeasurementRequest ofPaths;  // but for the camera
 };
 

@@ -2,14 +2,10 @@
 
 #include <cstdio>
 
-#include <nlohmann/json.hpp>
-
 #include "ui/plots/path_plot.h"
 
 namespace knotspan::app {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 template <class... Values>
 std::string printed(const char* format, Values... values)
@@ -17,11 +13,6 @@ std::string printed(const char* format, Values... values)
     char text[200];
     std::snprintf(text, sizeof text, format, values...);
     return text;
-}
-
-std::string nameOf(Deformation motion)
-{
-    return deformationNames()[static_cast<size_t>(motion)];
 }
 
 std::string titleOf(Deformation motion)
@@ -65,49 +56,12 @@ std::string rowText(const PathRow& row)
     return text + printed(" %7s\n", leaks ? std::to_string(*leaks).c_str() : "-");
 }
 
-template <class Value>
-Json orNull(const std::optional<Value>& value)
-{
-    return value ? Json(*value) : Json(nullptr);
-}
-
-Json jsonOf(const Spread& spread)
-{
-    return {{"min", spread.min}, {"median", spread.median}, {"max", spread.max}};
-}
-
-Json jsonOf(const PathRow& row)
-{
-    Json json{{"path", pathInfo(row.path).name},
-              {"tolerance_px", orNull(row.tolerancePx)},
-              {"evaluator", row.measured ? row.stats.evaluator : evaluatorInfo(row.evaluator).name},
-              {"deform", nameOf(row.motion)}};
-    if (!row.unavailable.empty()) {
-        json["unavailable"] = row.unavailable;
-        return json;
-    }
-    json.update({{"sampling", row.stats.sampling},
-                 {"frames", row.stats.frames},
-                 {"frame_ms", jsonOf(row.frameMs)},
-                 {"cpu_ms", jsonOf(row.stats.cpuMs)},
-                 {"gpu_ms", jsonOf(row.stats.gpuMs)},
-                 {"triangles", row.stats.triangles},
-                 {"evaluations", row.stats.evaluations},
-                 {"upload_bytes_per_frame", row.stats.uploadBytesPerFrame},
-                 {"device_bytes", row.stats.deviceBytes},
-                 {"error_px_max", orNull(row.stats.errorPxMax)},
-                 {"error_px_mean", orNull(row.stats.errorPxMean)},
-                 {"error_pixels_lost", orNull(row.stats.errorPixelsLost)},
-                 {"error_bound_px", orNull(row.stats.errorBoundPx)},
-                 {"leak_pixels", orNull(row.stats.leakPixels)}});
-    return json;
-}
-
 std::string pictureText(const PathReport& report)
 {
     const Frame& frame = report.request.frame;
     return printed("%d by %d pixels, ", frame.width, frame.height) +
-           (report.device.empty() ? "no device" : report.device);
+           (report.request.flight.empty() ? "" : printed("%zu views, ", report.request.flight.size())) +
+           (report.device ? report.device->name : "no device");
 }
 
 }  // namespace
@@ -129,18 +83,7 @@ std::string tableOf(const PathReport& report)
         "asked for no tolerance\ndraws the same at every one. Leaks are counted in closed models. The camera "
         "turns by a hair in every frame.\n";
     return text + "\nTimes are medians of up to " + std::to_string(report.request.frames) +
-           " frames: " + kNotes;
-}
-
-nlohmann::ordered_json jsonOf(const PathReport& report)
-{
-    Json rows = Json::array();
-    for (const PathRow& row : report.rows)
-        rows.push_back(jsonOf(row));
-    return {{"device", report.device.empty() ? Json(nullptr) : Json(report.device)},
-            {"width", report.request.frame.width},
-            {"height", report.request.frame.height},
-            {"paths", std::move(rows)}};
+           (report.request.flight.empty() ? " frames: " : " frames a view: ") + kNotes;
 }
 
 std::vector<Plot> plotsOf(const PathReport& report)

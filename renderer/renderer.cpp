@@ -76,6 +76,15 @@ const std::string& Renderer::deviceName() const
     return parts_->device.name();
 }
 
+DeviceInfo Renderer::deviceInfo() const
+{
+    const std::uint32_t version = parts_->device.vulkanVersion();
+    const std::string vulkan = std::to_string(VK_API_VERSION_MAJOR(version)) + "." +
+                               std::to_string(VK_API_VERSION_MINOR(version)) + "." +
+                               std::to_string(VK_API_VERSION_PATCH(version));
+    return {deviceName(), parts_->device.driver(), vulkan};
+}
+
 std::string Renderer::whyUnavailable(PathId path) const
 {
     return pathFactory(path).whyUnavailable(parts_->device);

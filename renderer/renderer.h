@@ -99,6 +99,13 @@ struct Evaluations {
     double gpuMs = 0;                    // without transfers; 0 where the device has no clock
 };
 
+// On what it draws, as a bug report names it.
+struct DeviceInfo {
+    std::string name;
+    std::string driver;  // its name and version
+    std::string vulkan;  // the version that the device has: "1.3.230"
+};
+
 struct RendererOptions {
     std::optional<int> device;  // index into devices(); default: the fastest kind of device
     bool validation = false;    // fails where the validation layer is not installed
@@ -116,6 +123,7 @@ public:
     Renderer& operator=(const Renderer&) = delete;
 
     [[nodiscard]] const std::string& deviceName() const;
+    [[nodiscard]] DeviceInfo deviceInfo() const;
     // Empty where the device can run the path, otherwise the reason, as a sentence.
     [[nodiscard]] std::string whyUnavailable(PathId path) const;
     [[nodiscard]] std::string whyUnavailable(Precision precision) const;  // the same for evaluate()

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "ui/actions.h"
+#include "ui/document_files.h"
 #include "ui/main_window.h"
+#include "ui/speed_dialog.h"
 
 // Marks a row's texts for translation.
 #define TEXT(text) QT_TRANSLATE_NOOP("knotspan::Actions", text)
@@ -34,6 +36,13 @@ Dialog& broughtUp(Window& window, const Make& make)
     dialog->raise();
     dialog->activateWindow();
     return *dialog;
+}
+
+inline SpeedDialog& speedDialog(Window& window)
+{
+    return broughtUp<SpeedDialog>(window, [&] {
+        return new SpeedDialog(window.document(), window.viewport(), window.files().questions(), &window);
+    });
 }
 
 }  // namespace knotspan

@@ -51,6 +51,12 @@ const std::vector<ActionInfo>& helpActions()
          .shortcuts = {QKeySequence("H"), QKeySequence("F1")},
          .tip = TEXT("List every key and what the mouse does, and change them"),
          .run = [](Window& w, bool) { showKeys(w); }},
+        {.id = "help.benchmark",
+         .text = TEXT("&Benchmark"),
+         .tip =
+             TEXT("Fly around the model on every path that this device can run, and report what each costs"),
+         .run = [](Window& w, bool) { speedDialog(w).measure(SpeedDialog::Views::flight); },
+         .separated = true},
         {.id = "help.about",
          .text = TEXT("&About Knotspan"),
          .tip = TEXT("What this program is, and on which device it draws"),

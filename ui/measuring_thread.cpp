@@ -37,6 +37,8 @@ void MeasuringThread::publish(const PathMeasurement& measurement)
         const QMutexLocker lock(&mutex_);
         state_.rows = measurement.rows();
         state_.rowsDone = measurement.rowsDone();
+        state_.viewsDone = measurement.viewsDone();
+        state_.views = measurement.views();
     }
     Q_EMIT progressed();
 }
@@ -57,15 +59,15 @@ void MeasuringThread::measure()
         return fail(renderer.error().sentence());
     {
         const QMutexLocker lock(&mutex_);
-        state_.device = (*renderer)->deviceName();
+        state_.device = (*renderer)->deviceInfo();
     }
     PathMeasurement measurement(**renderer, scene_, request_);
     publish(measurement);
     bool more = true;
     while (more && !isInterruptionRequested()) {
-        const size_t before = measurement.rowsDone();
+        const std::pair before(measurement.rowsDone(), measurement.viewsDone());
         more = measurement.step();
-        if (measurement.rowsDone() != before)
+        if (std::pair(measurement.rowsDone(), measurement.viewsDone()) != before)
             publish(measurement);
     }
 }

@@ -25,7 +25,9 @@ public:
     struct State {
         std::vector<PathRow> rows;
         size_t rowsDone = 0;
-        std::string device;
+        size_t viewsDone = 0;  // of the next row
+        size_t views = 1;
+        std::optional<DeviceInfo> device;
         std::string failure;  // a sentence: nothing could be measured
     };
     [[nodiscard]] State state() const;

@@ -2,22 +2,31 @@
 
 #include <algorithm>
 
+#include <QClipboard>
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include <nlohmann/json.hpp>
+
+#include "model/files/file_replacement.h"
+#include "renderer/measurement/flight.h"
 #include "ui/plots/path_plot.h"
 #include "ui/plots/plot_view.h"
+#include "ui/viewport/described.h"
 
 namespace knotspan {
 
 namespace {
 
 constexpr int kFrames = 3;
+constexpr size_t kFlightViews = 8;
+constexpr PictureSize kFlightSize{800, 600};  // whatever the window's
 
 std::vector<PathId> allPaths()
 {
@@ -27,18 +36,13 @@ std::vector<PathId> allPaths()
     return ids;
 }
 
-void describe(QWidget* widget, const QString& name, const QString& tip)
-{
-    widget->setAccessibleName(name);
-    widget->setToolTip(tip);
-}
-
 }  // namespace
 
-SpeedDialog::SpeedDialog(Document& document, Viewport& viewport, QWidget* parent)
+SpeedDialog::SpeedDialog(Document& document, Viewport& viewport, Questions questions, QWidget* parent)
     : QDialog(parent),
       document_(document),
-      viewport_(viewport)
+      viewport_(viewport),
+      questions_(std::move(questions))
 {
     setWindowTitle(tr("Speed and accuracy"));
     setObjectName("speed-dialog");
@@ -48,6 +52,8 @@ SpeedDialog::SpeedDialog(Document& document, Viewport& viewport, QWidget* parent
     connect(motion_, &QComboBox::currentIndexChanged, this, &SpeedDialog::showPlot);
     connect(measure_, &QPushButton::clicked, this, [this] { measure(); });
     connect(cancel_, &QPushButton::clicked, this, &SpeedDialog::cancel);
+    connect(copy_, &QPushButton::clicked, this, &SpeedDialog::copyReport);
+    connect(save_, &QPushButton::clicked, this, &SpeedDialog::saveReport);
     connect(plot_, &PlotView::chosen, this, &SpeedDialog::choose);
     connect(plot_, &PlotView::pointedAt, this, &SpeedDialog::showDetails);
     clear();
@@ -55,25 +61,45 @@ SpeedDialog::SpeedDialog(Document& document, Viewport& viewport, QWidget* parent
 
 SpeedDialog::~SpeedDialog() = default;
 
-void SpeedDialog::makeLayout()
+void SpeedDialog::makeControls()
 {
+    views_ = new QComboBox(this);
+    views_->addItem(tr("The viewport's view"), static_cast<int>(Views::viewport));
+    views_->addItem(tr("A flight around the model"), static_cast<int>(Views::flight));
+    describe(
+        views_, "views", tr("What is looked at"),
+        tr("What the next measurement draws: what the viewport shows, or %1 fixed views of %2 by %3 pixels, "
+           "which compare with those of other machines")
+            .arg(kFlightViews)
+            .arg(kFlightSize.width)
+            .arg(kFlightSize.height));
     motion_ = new QComboBox(this);
-    motion_->setObjectName("motion");
     motion_->addItem(tr("Model at rest"), static_cast<int>(Deformation::none));
     motion_->addItem(tr("Every control point moves"), static_cast<int>(Deformation::all));
-    describe(motion_, tr("What moves"), tr("Whether the model changes from frame to frame"));
+    describe(motion_, "motion", tr("What moves"),
+             tr("The chart of frames between which the model stays, or changes"));
     measure_ = new QPushButton(tr("&Measure again"), this);
-    measure_->setObjectName("measure");
-    describe(measure_, tr("Measure again"), tr("Measure the open model as the viewport shows it now"));
+    describe(measure_, "measure", tr("Measure again"), tr("Measure the open model as it is now"));
     cancel_ = new QPushButton(tr("&Cancel"), this);
-    cancel_->setObjectName("cancel");
-    describe(cancel_, tr("Cancel"), tr("Stop measuring before the next frame; what is measured stays"));
+    describe(cancel_, "cancel", tr("Cancel"),
+             tr("Stop measuring before the next frame; what is measured stays"));
+    copy_ = new QPushButton(tr("C&opy report"), this);
+    describe(copy_, "copy", tr("Copy report"),
+             tr("Put the figures and what this device is on the clipboard, as JSON for a bug report"));
+    save_ = new QPushButton(tr("&Save report…"), this);
+    describe(save_, "save", tr("Save report"), tr("Write the same into a file"));
+    for (QPushButton* button : {measure_, cancel_, copy_, save_})
+        button->setAutoDefault(false);
+}
+
+void SpeedDialog::makeLayout()
+{
+    makeControls();
     progress_ = new QProgressBar(this);
-    progress_->setObjectName("progress");
-    progress_->setAccessibleName(tr("Progress of the measurement"));
+    describe(progress_, "progress", tr("Progress of the measurement"),
+             tr("Which measurement of how many runs"));
     plot_ = new PlotView(this);
-    plot_->setObjectName("plot");
-    describe(plot_, tr("Error against time, a curve a path"), {});
+    describe(plot_, "plot", tr("Error against time, a curve a path"), {});
     details_ = new QLabel(this);
     details_->setObjectName("details");
     details_->setAccessibleName(tr("Details"));
@@ -84,18 +110,19 @@ void SpeedDialog::makeLayout()
     details_->setAlignment(Qt::AlignTop);
 
     auto* top = new QHBoxLayout;
+    top->addWidget(views_);
     top->addWidget(motion_);
-    top->addWidget(progress_, 1);
+    top->addStretch(1);
     top->addWidget(cancel_);
     top->addWidget(measure_);
     auto* close = new QDialogButtonBox(QDialogButtonBox::Close, this);
-    for (QAbstractButton* button : close->buttons())
-        qobject_cast<QPushButton*>(button)->setAutoDefault(false);
-    measure_->setAutoDefault(false);
-    cancel_->setAutoDefault(false);
+    close->addButton(copy_, QDialogButtonBox::ActionRole);
+    close->addButton(save_, QDialogButtonBox::ActionRole);
+    qobject_cast<QPushButton*>(close->button(QDialogButtonBox::Close))->setAutoDefault(false);
     connect(close, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto* column = new QVBoxLayout(this);
     column->addLayout(top);
+    column->addWidget(progress_);
     column->addWidget(plot_, 1);
     column->addWidget(details_);
     column->addWidget(close);
@@ -115,24 +142,46 @@ void SpeedDialog::clear()
     showPlot();
 }
 
-PathMeasurementRequest SpeedDialog::request() const
+SpeedDialog::Views SpeedDialog::views() const
+{
+    return static_cast<Views>(views_->currentData().toInt());
+}
+
+// The flight depends on the model alone, not on how the window happens to draw it.
+PathMeasurementRequest SpeedDialog::request(Views views) const
 {
     PathMeasurementRequest request;
-    request.frame = viewport_.frame();
+    const bool isFlight = views == Views::flight;
+    const PictureSize size = isFlight ? kFlightSize : viewport_.pictureSize();
+    if (isFlight)
+        request.frame.culling = defaultCulling();
+    else
+        request.frame = viewport_.frame();
     request.frame.cullingCamera.reset();
-    const PictureSize size = viewport_.pictureSize();
     request.frame.width = size.width;
     request.frame.height = size.height;
     request.paths = allPaths();
     request.tolerances = {4, 2, 1, 0.5, 0.25};
     request.evaluators = {request.frame.evaluator};
     request.frames = kFrames;
+    if (isFlight) {
+        request.flight =
+            flightAround(document_.scene(), kFlightViews, static_cast<double>(size.width) / size.height);
+        request.tolerances = {2, 0.5};
+        request.frames = 1;
+    }
     return request;
 }
 
 void SpeedDialog::measure()
 {
-    measure(request());
+    measure(views());
+}
+
+void SpeedDialog::measure(Views views)
+{
+    views_->setCurrentIndex(views_->findData(static_cast<int>(views)));
+    measure(request(views));
 }
 
 void SpeedDialog::measure(const PathMeasurementRequest& wanted)
@@ -146,6 +195,9 @@ void SpeedDialog::measure(const PathMeasurementRequest& wanted)
     }
     title_ = document_.title();
     subtitle_ = tr("%1 by %2 pixels").arg(wanted.frame.width).arg(wanted.frame.height);
+    if (!wanted.flight.empty())
+        subtitle_ += ", " + tr("%1 views").arg(wanted.flight.size());
+    subject_ = {document_.title().toStdString(), {}, wanted, {}, visibleKsQuads(document_.scene())};
     thread_ = std::make_unique<MeasuringThread>(document_.scene(), wanted);
     connect(thread_.get(), &MeasuringThread::progressed, this, &SpeedDialog::showProgress);
     connect(thread_.get(), &QThread::finished, this, &SpeedDialog::showEnd);
@@ -170,10 +222,58 @@ void SpeedDialog::showProgress()
         return;
     const MeasuringThread::State state = thread_->state();
     rows_ = state.rows;
-    progress_->setRange(0, static_cast<int>(rows_.size()));
-    progress_->setValue(static_cast<int>(state.rowsDone));
-    progress_->setFormat(tr("%v of %m"));
+    progress_->setRange(0, static_cast<int>(rows_.size() * state.views));
+    progress_->setValue(static_cast<int>(state.rowsDone * state.views + state.viewsDone));
+    progress_->setFormat(whatRuns(state));
+    showReportButtons();
     showPlot();
+}
+
+QString SpeedDialog::whatRuns(const MeasuringThread::State& state)
+{
+    if (state.rowsDone >= state.rows.size())
+        return {};
+    const PathRow& row = state.rows[state.rowsDone];
+    QString text = tr("%1 of %2: %3")
+                       .arg(state.rowsDone + 1)
+                       .arg(state.rows.size())
+                       .arg(QString::fromStdString(pathInfo(row.path).name));
+    if (row.tolerancePx)
+        text = tr("%1 at %2 px").arg(text).arg(*row.tolerancePx);
+    return state.views == 1 ? text
+                            : tr("%1, view %2 of %3").arg(text).arg(state.viewsDone + 1).arg(state.views);
+}
+
+void SpeedDialog::showReportButtons()
+{
+    copy_->setEnabled(!rows_.empty());
+    save_->setEnabled(!rows_.empty());
+}
+
+std::string SpeedDialog::reportText() const
+{
+    PathReport report = subject_;
+    report.rows = rows_;
+    if (thread_)
+        report.device = thread_->state().device;
+    return textOf(jsonOf(report));
+}
+
+void SpeedDialog::copyReport()
+{
+    QGuiApplication::clipboard()->setText(QString::fromStdString(reportText()));
+    details_->setText(tr("The report is on the clipboard."));
+}
+
+void SpeedDialog::saveReport()
+{
+    const QString name = questions_.fileToSave(this, tr("Save the report as"), "knotspan-benchmark.json",
+                                               {tr("Reports (*.json)")});
+    if (name.isEmpty())
+        return;
+    const auto saved = formats::replaceText(name.toStdString(), reportText());
+    details_->setText(saved ? tr("The report is in %1.").arg(name)
+                            : QString::fromStdString(saved.error().sentence()));
 }
 
 void SpeedDialog::showEnd()
@@ -184,6 +284,7 @@ void SpeedDialog::showEnd()
     progress_->setValue(0);
     progress_->setFormat({});
     details_->clear();
+    showReportButtons();
     if (!thread_)
         return;
     showProgress();
@@ -194,6 +295,12 @@ void SpeedDialog::showEnd()
         details_->setText(QString::fromStdString(failure));
 }
 
+QString SpeedDialog::deviceName() const
+{
+    const auto device = thread_->state().device;
+    return device ? QString::fromStdString(device->name) : tr("no device");
+}
+
 void SpeedDialog::showPlot()
 {
     const auto motion = static_cast<Deformation>(motion_->currentData().toInt());
@@ -201,7 +308,7 @@ void SpeedDialog::showPlot()
     PathPlot made = pathPlot(rows_, {motion, frame.path, frame.tolerancePx});
     made.plot.title = rows_.empty() ? tr("Nothing is measured yet").toStdString() : title_.toStdString();
     if (thread_)
-        made.plot.subtitle = subtitle_.toStdString() + ", " + thread_->state().device;
+        made.plot.subtitle = subtitle_.toStdString() + ", " + deviceName().toStdString();
     markerRows_ = std::move(made.rows);
     plot_->setPlot(std::move(made.plot));
 }

@@ -76,8 +76,7 @@ void setLoosening(Window& window, bool on)
 
 void showSpeed(Window& window)
 {
-    auto& dialog = broughtUp<SpeedDialog>(
-        window, [&] { return new SpeedDialog(window.document(), window.viewport(), &window); });
+    SpeedDialog& dialog = speedDialog(window);
     if (!dialog.hasFindings() && !dialog.isMeasuring())
         dialog.measure();
 }

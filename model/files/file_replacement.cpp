@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <utility>
 
 #include <fcntl.h>
@@ -158,6 +159,19 @@ Result<void> replaceFile(const fs::path& path, const std::function<Result<void>(
     if (auto written = writeTo(temporary->path()); !written)
         return written;
     return temporary->renameTo(target);
+}
+
+Result<void> replaceText(const fs::path& path, const std::string& text)
+{
+    return replaceFile(path, [&](const fs::path& beside) -> Result<void> {
+        std::ofstream file(beside, std::ios::binary | std::ios::trunc);
+        file << text;
+        file.close();
+        if (!file)
+            return tl::unexpected<Error>(
+                {"The file cannot be written", path.string(), "Check that the disk has room and try again"});
+        return {};
+    });
 }
 
 }  // namespace knotspan::formats

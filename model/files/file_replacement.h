@@ -18,4 +18,7 @@ namespace knotspan::formats {
 replaceFile(const std::filesystem::path& path,
             const std::function<Result<void>(const std::filesystem::path&)>& writeTo);
 
+// The same for a text that is there already.
+[[nodiscard]] Result<void> replaceText(const std::filesystem::path& path, const std::string& text);
+
 }  // namespace knotspan::formats

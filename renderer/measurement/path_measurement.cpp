@@ -24,6 +24,18 @@ double millisecondsSince(Clock::time_point start)
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
+template <class Number>
+std::optional<Number> larger(const std::optional<Number>& a, const std::optional<Number>& b)
+{
+    return a && b ? std::max(*a, *b) : a ? a : b;
+}
+
+template <class Number>
+std::optional<Number> sum(const std::optional<Number>& a, const std::optional<Number>& b)
+{
+    return a && b ? *a + *b : a ? a : b;
+}
+
 // Around the target, by Rodrigues' formula; too little for other triangles.
 Camera turned(Camera camera, int k)
 {
@@ -90,15 +102,35 @@ bool PathMeasurement::step()
     const Result<void> drawn = errorsAreNext ? drawErrors(row) : drawFrame(row);
     if (!drawn)
         row.unavailable = drawn.error().sentence();
-    if (!drawn || errorsAreNext)
+    if (!drawn)
         endRow();
+    else if (errorsAreNext)
+        endView(row);
     return row_ < rows_.size();
+}
+
+void PathMeasurement::endView(PathRow& row)
+{
+    timedInView_ = 0;
+    if (++view_ < views())
+        return;
+    row.frameMs = spreadOf(frameMs_);
+    const FrameStats errors = std::move(row.stats);
+    row.stats = combined(frames_);
+    row.stats.errorPxMax = errors.errorPxMax;
+    row.stats.errorPxMean = errors.errorPxMean;
+    row.stats.errorPixelsLost = errors.errorPixelsLost;
+    row.stats.errorBoundPx = errors.errorBoundPx;
+    row.stats.leakPixels = errors.leakPixels;
+    endRow();
 }
 
 void PathMeasurement::endRow()
 {
     rows_[row_].measured = rows_[row_].unavailable.empty();
     drawn_ = 0;
+    view_ = 0;
+    timedInView_ = 0;
     frames_.clear();
     frameMs_.clear();
     ++row_;
@@ -107,14 +139,14 @@ void PathMeasurement::endRow()
 
 bool PathMeasurement::hasFramesEnough() const
 {
-    const int timed = static_cast<int>(frames_.size());
-    return timed == request_.frames || (timed > 0 && millisecondsSince(timingStarted_) > kPatienceMs);
+    return timedInView_ == request_.frames ||
+           (timedInView_ > 0 && millisecondsSince(timingStarted_) > kPatienceMs);
 }
 
 Frame PathMeasurement::frameOf(const PathRow& row, int k) const
 {
     Frame frame = request_.frame;
-    frame.camera = turned(frame.camera, k);
+    frame.camera = turned(request_.flight.empty() ? frame.camera : request_.flight[view_], k);
     frame.path = row.path;
     frame.evaluator = row.evaluator;
     frame.tolerancePx = row.tolerancePx.value_or(frame.tolerancePx);
@@ -138,6 +170,8 @@ Result<void> PathMeasurement::drawFrame(PathRow& row)
         timingStarted_ = Clock::now();
         return {};
     }
+    if (++timedInView_ == 1 && view_ > 0)
+        timingStarted_ = Clock::now();
     frameMs_.push_back(stats->cpuMs.median + stats->gpuMs.median);
     frames_.push_back(std::move(*stats));
     return {};
@@ -151,12 +185,14 @@ Result<void> PathMeasurement::drawErrors(PathRow& row)
     const Result<FrameStats> errors = renderer_.draw(frame);
     if (!errors)
         return tl::unexpected(errors.error());
-    row.frameMs = spreadOf(frameMs_);
-    row.stats = combined(frames_);
-    row.stats.errorPxMax = errors->errorPxMax;
-    row.stats.errorPxMean = errors->errorPxMean;
-    row.stats.errorPixelsLost = errors->errorPixelsLost;
-    row.stats.errorBoundPx = errors->errorBoundPx;
+    // The largest of all views, the mean of their means.
+    FrameStats& sofar = row.stats;
+    sofar.errorPxMax = larger(sofar.errorPxMax, errors->errorPxMax);
+    sofar.errorBoundPx = larger(sofar.errorBoundPx, errors->errorBoundPx);
+    sofar.errorPixelsLost = sum(sofar.errorPixelsLost, errors->errorPixelsLost);
+    if (errors->errorPxMean)
+        sofar.errorPxMean =
+            sofar.errorPxMean.value_or(0) + *errors->errorPxMean / static_cast<double>(views());
     return isClosed_ ? countLeaks(row) : Result<void>();
 }
 
@@ -166,9 +202,10 @@ Result<void> PathMeasurement::countLeaks(PathRow& row)
     const auto shown = renderer_.captureKsQuads();
     if (!shown)
         return tl::unexpected(shown.error());
-    const double error = std::max(row.stats.tolerancePx, row.stats.errorPxMax.value_or(0));
-    row.stats.leakPixels =
+    const double error = std::max(frames_.back().tolerancePx, row.stats.errorPxMax.value_or(0));
+    const auto leaks =
         knotspan::countLeaks(deformed(rest_, row.motion, drawn_), frameOf(row, drawn_ - 1), *shown, error);
+    row.stats.leakPixels = row.stats.leakPixels.value_or(0) + leaks;
     return {};
 }
 

@@ -149,6 +149,7 @@ void Device::findAbilities()
         driver.pNext = &meshLimits;
     VkPhysicalDeviceProperties2 properties{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &driver, {}};
     vkGetPhysicalDeviceProperties2(physical_, &properties);
+    driver_ = std::string(driver.driverName) + ", " + driver.driverInfo;
     if (driver.driverID == VK_DRIVER_ID_MESA_LLVMPIPE)
         abilities_.tessellatedVerticesPerDraw = 65535;
     // Beside the limits, what the makers advise: NVIDIA 64 vertices and 126 triangles, AMD 128 and 256.

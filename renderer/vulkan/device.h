@@ -38,6 +38,8 @@ public:
     [[nodiscard]] std::uint32_t timestampBits() const;  // 0: the queue has no clock
     [[nodiscard]] const VkPhysicalDeviceLimits& limits() const { return properties_.limits; }
     [[nodiscard]] const std::string& name() const { return name_; }
+    [[nodiscard]] const std::string& driver() const { return driver_; }  // its name and version
+    [[nodiscard]] std::uint32_t vulkanVersion() const { return properties_.apiVersion; }
     [[nodiscard]] const DeviceAbilities& abilities() const { return abilities_; }
     [[nodiscard]] PFN_vkCmdDrawMeshTasksEXT drawMeshTasks() const { return drawMeshTasks_; }
     [[nodiscard]] PFN_vkCmdDrawMeshTasksIndirectEXT drawMeshTasksIndirect() const
@@ -68,6 +70,7 @@ private:
     VkQueue queue_ = VK_NULL_HANDLE;
     std::uint32_t queueFamily_ = 0;
     std::string name_;
+    std::string driver_;
     DeviceAbilities abilities_;
     PFN_vkCmdDrawMeshTasksEXT drawMeshTasks_ = nullptr;
     PFN_vkCmdDrawMeshTasksIndirectEXT drawMeshTasksIndirect_ = nullptr;

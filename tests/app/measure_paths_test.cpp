@@ -195,3 +195,15 @@ TEST_F(MeasurePaths, RefusesWrongOptions)
     wrong("--only", "nothing");
     expectFailure({"measure", *folder / "absent.knotspan", "--only", "paths"}, "absent.knotspan");
 }
+
+TEST_F(MeasurePaths, AFlightHasAFrameForEachView)
+{
+    const ProgramRun flown = runSmall(model, {"--flight", "3", "--deform", "none", "--json"});
+    ASSERT_EQ(flown.exitCode, 0) << flown.messages;
+    const Json report = Json::parse(flown.output);
+    EXPECT_EQ(report.at("views"), 3);
+    EXPECT_EQ(json.at("views"), 1);
+    EXPECT_EQ(report.at("ksquads"), json.at("ksquads"));
+    for (const Json& row : measuredOf(report.at("paths")))
+        EXPECT_EQ(row.at("frames"), 3) << row;
+}

@@ -1,14 +1,23 @@
 #include "ui/speed_dialog.h"
 
+#include <algorithm>
+#include <fstream>
+
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <QAction>
+#include <QClipboard>
 #include <QComboBox>
+#include <QGuiApplication>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QTest>
 
+#include "model/samples/sample_list.h"
+#include "renderer/measurement/flight.h"
 #include "tests/ui/window_harness.h"
 #include "ui/plots/plot_view.h"
 
@@ -42,7 +51,7 @@ PathMeasurementRequest smallRequest(MainWindow& window)
 struct Measured {
     Answers answers;
     std::unique_ptr<MainWindow> window = shownWindow(answers, "torus");
-    SpeedDialog dialog{window->document(), window->viewport()};
+    SpeedDialog dialog{window->document(), window->viewport(), answering(answers)};
     PlotView& plot = *dialog.findChild<PlotView*>("plot");
 
     Measured()
@@ -148,7 +157,7 @@ TEST(SpeedDialog, ClosingItStopsTheMeasurement)
     Answers answers;
     const auto window = shownWindow(answers, "torus");
     KNOTSPAN_NEED_RENDERER(*window);
-    SpeedDialog dialog(window->document(), window->viewport());
+    SpeedDialog dialog(window->document(), window->viewport(), answering(answers));
     dialog.show();
     dialog.measure();
     dialog.close();
@@ -156,13 +165,139 @@ TEST(SpeedDialog, ClosingItStopsTheMeasurement)
     EXPECT_TRUE(!dialog.hasFindings() || !dialog.rows().back().measured);
 }
 
+// The report of what was measured, as another program would read it.
+nlohmann::json clipboard()
+{
+    return nlohmann::json::parse(QGuiApplication::clipboard()->text().toStdString());
+}
+
+TEST(Benchmark, TheReportHasEveryPathWithFiguresOrTheReasonWhyNot)
+{
+    Measured measured;
+    KNOTSPAN_NEED_RENDERER(*measured.window);
+    PathMeasurementRequest request = smallRequest(*measured.window);
+    request.paths.clear();
+    for (const PathInfo& path : paths())
+        request.paths.push_back(path.id);
+    request.tolerances = {4};
+    request.motions = {Deformation::none};
+    request.flight = flightAround(measured.window->document().scene(), 3, 1);
+    measured.dialog.measure(request);
+    ASSERT_TRUE(waitFor([&] { return !measured.dialog.isMeasuring(); }));
+    settle(*measured.window);
+    measured.dialog.findChild<QPushButton*>("copy")->click();
+    const nlohmann::json report = clipboard();
+    const Renderer& renderer = *measured.window->viewport().renderer();
+    EXPECT_EQ(report.at("device"), renderer.deviceInfo().name);
+    EXPECT_EQ(report.at("driver"), renderer.deviceInfo().driver);
+    EXPECT_EQ(report.at("vulkan"), renderer.deviceInfo().vulkan);
+    EXPECT_FALSE(renderer.deviceInfo().driver.empty());
+    EXPECT_EQ(report.at("program").get<std::string>().find("knotspan "), 0U);
+    EXPECT_EQ(report.at("ksquads"), measured.window->document().scene().ksQuadCount());
+    EXPECT_EQ(report.at("model"), "Sample: torus");
+    EXPECT_EQ(report.at("views"), 3);
+    EXPECT_EQ(report.at("width"), 64);
+    ASSERT_EQ(report.at("paths").size(), paths().size());
+    for (const auto& row : report.at("paths")) {
+        const std::string why = renderer.whyUnavailable(*findPath(row.at("path").get<std::string>()));
+        if (!why.empty()) {
+            EXPECT_EQ(row.at("unavailable"), why);
+            const QString told = measured.dialog.findChild<QLabel*>("details")->text();
+            EXPECT_TRUE(told.contains(QString::fromStdString(row.at("path")))) << told.toStdString();
+            continue;
+        }
+        EXPECT_EQ(row.at("frames"), 3) << row;  // one a view
+        EXPECT_GT(row.at("frame_ms").at("median"), 0) << row;
+        EXPECT_GT(row.at("triangles"), 0) << row;
+        EXPECT_GT(row.at("error_px_max"), 0) << row;
+        EXPECT_GE(row.at("error_px_max"), row.at("error_px_mean")) << row;
+    }
+}
+
+// No device draws such a picture.
+TEST(Benchmark, APathThatFailsHasARowWithTheReasonAndTheOthersAreTriedToo)
+{
+    Measured measured;
+    KNOTSPAN_NEED_TESSELLATION(*measured.window);
+    PathMeasurementRequest request = smallRequest(*measured.window);
+    request.paths = {PathId::tessellation, PathId::cpu};
+    request.frame.width = 1'000'000;
+    measured.dialog.measure(request);
+    ASSERT_TRUE(waitFor([&] { return !measured.dialog.isMeasuring(); }));
+    settle(*measured.window);
+    ASSERT_EQ(measured.dialog.rows().size(), 8U);
+    for (const PathRow& row : measured.dialog.rows()) {
+        EXPECT_FALSE(row.measured);
+        EXPECT_FALSE(row.unavailable.empty());
+    }
+    const nlohmann::json report = nlohmann::json::parse(measured.dialog.reportText());
+    EXPECT_EQ(report.at("paths").back().at("unavailable"), measured.dialog.rows().back().unavailable);
+}
+
+TEST(Benchmark, WhatIsSavedIsWhatIsCopied)
+{
+    const TemporaryFolder folder;
+    Measured measured;
+    KNOTSPAN_NEED_RENDERER(*measured.window);
+    const std::filesystem::path file = folder / "report.json";
+    measured.answers.fileToSave = QString::fromStdString(file.string());
+    measured.dialog.findChild<QPushButton*>("save")->click();
+    std::ifstream saved(file);
+    const nlohmann::json report = nlohmann::json::parse(saved);
+    measured.dialog.findChild<QPushButton*>("copy")->click();
+    EXPECT_EQ(report, clipboard());
+    EXPECT_EQ(report.at("views"), 1);
+    measured.answers.fileToSave = QString::fromStdString((folder / "none" / "report.json").string());
+    measured.dialog.findChild<QPushButton*>("save")->click();
+    const QString told = measured.dialog.findChild<QLabel*>("details")->text();
+    EXPECT_TRUE(told.contains("none")) << told.toStdString();
+}
+
+TEST(Benchmark, TheActionFliesAndWhatWasNotReachedSaysSo)
+{
+    Answers answers;
+    const auto window = shownWindow(answers, "torus");
+    KNOTSPAN_NEED_RENDERER(*window);
+    window->action("help.benchmark")->trigger();
+    auto* dialog = window->findChild<SpeedDialog*>();
+    ASSERT_NE(dialog, nullptr);
+    EXPECT_EQ(dialog->views(), SpeedDialog::Views::flight);
+    EXPECT_TRUE(dialog->isMeasuring());
+    auto* progress = dialog->findChild<QProgressBar*>("progress");
+    ASSERT_TRUE(waitFor([&] { return progress->format().contains("view 1 of 8"); }));
+    dialog->findChild<QPushButton*>("cancel")->click();
+    ASSERT_TRUE(waitFor([&] { return !dialog->isMeasuring(); }));
+    settle(*window);
+    const nlohmann::json report = nlohmann::json::parse(dialog->reportText());
+    EXPECT_EQ(report.at("views"), 8);
+    EXPECT_EQ(report.at("paths").back().at("unavailable"), "The measurement was stopped before");
+}
+
+TEST(Benchmark, TheFlightSeesAllOfTheModelAndComesBackToWhereItBegan)
+{
+    const Scene scene = findSample("torus")->make();
+    const std::vector<Camera> flight = flightAround(scene, 8, 1.5);
+    ASSERT_EQ(flight.size(), 8U);
+    const Camera first = *namedView("iso", scene.hullPoints(), 1.5, false);
+    EXPECT_LT(glm::length(flight[0].eye - first.eye), 1e-9 * first.distance());
+    std::vector<double> distances;
+    for (const Camera& camera : flight) {
+        EXPECT_LT(glm::length(camera.target - first.target), 1e-9 * first.distance());
+        distances.push_back(camera.distance() / first.distance());
+    }
+    EXPECT_NEAR(*std::max_element(distances.begin(), distances.end()), 1, 1e-9);
+    EXPECT_NEAR(*std::min_element(distances.begin(), distances.end()), 0.25, 1e-9);
+    EXPECT_TRUE(flightAround(Scene(), 8, 1).empty());
+}
+
 TEST(SpeedDialog, EveryControlSaysWhatItIs)
 {
     Document document;
     Selection selection;
     Viewport viewport(document, selection);
-    const SpeedDialog dialog(document, viewport);
-    for (const char* name : {"motion", "measure", "cancel"}) {
+    Answers answers;
+    const SpeedDialog dialog(document, viewport, answering(answers));
+    for (const char* name : {"views", "motion", "measure", "cancel", "copy", "save"}) {
         const auto* widget = dialog.findChild<QWidget*>(name);
         ASSERT_NE(widget, nullptr) << name;
         EXPECT_FALSE(widget->accessibleName().isEmpty()) << name;
