@@ -91,6 +91,25 @@ void DocumentFiles::offerReload(const QString& path)
                     tr("&Reload"), [this] { reload(); });
 }
 
+void DocumentFiles::openRecent(const QString& file)
+{
+    if (isRefusedWhileReading())
+        return;
+    if (QFileInfo::exists(file))
+        return open({file.toStdString()});
+    recentFiles::forget(file);
+    messages_.say(tr("%1 is no longer in %2. It was taken off the list of recent files.")
+                      .arg(QFileInfo(file).fileName(), QFileInfo(file).path()));
+}
+
+void DocumentFiles::startNew()
+{
+    if (isRefusedWhileReading() || !mayDrop())
+        return;
+    messages_.dismiss();
+    document_.reset({}, {});
+}
+
 void DocumentFiles::openSample(const std::string& name)
 {
     const Sample* sample = findSample(name);

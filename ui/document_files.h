@@ -35,7 +35,10 @@ public:
     // Opens the first, adds the others; asks first where changes would be lost. What fails is said in the
     // message bar, the open document stays. Refused while another is being read.
     void open(const std::vector<std::filesystem::path>& files);
+    // Says so and forgets the file where it is gone.
+    void openRecent(const QString& file);
     void openSample(const std::string& name);
+    void startNew();  // an empty model
     void askAndOpen();
     // Reads the model's file again; the model as it is now is one undo away. Refused while another is read.
     void reload();

@@ -18,6 +18,11 @@ void exportMesh(Window& window)
 const std::vector<ActionInfo>& fileActions()
 {
     static const std::vector<ActionInfo> kList = {
+        {.id = "file.new",
+         .text = TEXT("&New"),
+         .shortcuts = {QKeySequence::New},
+         .tip = TEXT("Begin with an empty model in place of this one"),
+         .run = [](Window& w, bool) { w.files().startNew(); }},
         {.id = "file.open",
          .text = TEXT("&Open…"),
          .shortcuts = {QKeySequence::Open},

@@ -25,8 +25,7 @@ void fillWithRecent(QMenu& menu, DocumentFiles& files)
         QAction* entry = menu.addAction(QFileInfo(file).fileName());
         entry->setStatusTip(file);
         entry->setToolTip(file);
-        QObject::connect(entry, &QAction::triggered, &menu,
-                         [&files, file] { files.open({file.toStdString()}); });
+        QObject::connect(entry, &QAction::triggered, &menu, [&files, file] { files.openRecent(file); });
     }
     menu.setToolTipsVisible(true);
     if (known.isEmpty()) {
@@ -42,7 +41,7 @@ void fillWithRecent(QMenu& menu, DocumentFiles& files)
 
 void addSamplesMenu(QMenu& menu, DocumentFiles& files)
 {
-    QMenu& list = *menu.addMenu(tr("&New from sample"));
+    QMenu& list = *menu.addMenu(tr("New from sa&mple"));
     list.setToolTipsVisible(true);
     for (const Sample& sample : samples()) {
         QAction* entry = list.addAction(QString::fromStdString(sample.name));

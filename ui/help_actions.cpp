@@ -51,6 +51,11 @@ const std::vector<ActionInfo>& helpActions()
          .shortcuts = {QKeySequence("H"), QKeySequence("F1")},
          .tip = TEXT("List every key and what the mouse does, and change them"),
          .run = [](Window& w, bool) { showKeys(w); }},
+        {.id = "help.start",
+         .text = TEXT("&Start page"),
+         .tip = TEXT("Show the files that were open last and the samples in place of the picture"),
+         .run = [](Window& w, bool on) { w.showStartPage(on); },
+         .isChecked = [](Window& w) { return w.isStartPageShown(); }},
         {.id = "help.benchmark",
          .text = TEXT("&Benchmark"),
          .tip =

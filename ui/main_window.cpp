@@ -9,6 +9,7 @@
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QDropEvent>
+#include <QLabel>
 #include <QMenuBar>
 #include <QMimeData>
 #include <QSettings>
@@ -20,6 +21,7 @@
 #include "ui/message_bar.h"
 #include "ui/picture_settings_store.h"
 #include "ui/recovery.h"
+#include "ui/start_page.h"
 #include "ui/tool_settings_store.h"
 
 namespace knotspan {
@@ -45,6 +47,7 @@ MainWindow::MainWindow(Questions questions)
     makeCentre();
     files_ =
         std::make_unique<DocumentFiles>(*this, document_, *messages_, *readingLine_, std::move(questions));
+    makeStartPage();
     makeActions();
     makePanels();
     makeToolBar();
@@ -115,6 +118,23 @@ QList<QAction*> MainWindow::commands() const
         commands << toolBar_->toggleViewAction();
     }
     return commands;
+}
+
+void MainWindow::showStartPage(bool on)
+{
+    startPage_->hide();  // so that the column never has to hold both
+    viewport_->setVisible(!on);
+    startPage_->setVisible(on);
+    if (on)
+        frameLine_->clear();
+    else
+        viewport_->setFocus();
+    showActionStates();
+}
+
+bool MainWindow::isStartPageShown() const
+{
+    return !startPage_->isHidden();
 }
 
 QString MainWindow::message() const

@@ -28,6 +28,7 @@ class MessageBar;
 class ReadingLine;
 class Recovery;
 class RecoveryBar;
+class StartPage;
 struct ToolInfo;
 
 class MainWindow : public QMainWindow {
@@ -49,6 +50,9 @@ public:
     // All of those and what shows panels and the tool bar, in the order of the menus. objectName() is the id.
     [[nodiscard]] QList<QAction*> commands() const;
     [[nodiscard]] CommandKeys& commandKeys() { return *commandKeys_; }
+    // In the viewport's place, until another model comes or this one changes.
+    void showStartPage(bool on = true);
+    [[nodiscard]] bool isStartPageShown() const;
     // The sentence that the message bar shows; empty: none.
     [[nodiscard]] QString message() const;
 
@@ -60,6 +64,7 @@ protected:
 private:
     // main_window_layout.cpp
     void makeCentre();
+    void makeStartPage();
     void makeActions();
     void makeMenus();
     void makePanels();
@@ -80,6 +85,7 @@ private:
     std::map<std::string, QAction*, std::less<>> actions_;
     CommandKeys* commandKeys_ = nullptr;
     Viewport* viewport_ = nullptr;
+    StartPage* startPage_ = nullptr;
     MessageBar* messages_ = nullptr;
     ReadingLine* readingLine_ = nullptr;
     RecoveryBar* recoveryBar_ = nullptr;

@@ -20,8 +20,10 @@
 #include "ui/message_bar.h"
 #include "ui/panel_list.h"
 #include "ui/picture_settings_store.h"
+#include "ui/picture_taker.h"
 #include "ui/reading_line.h"
 #include "ui/recovery_bar.h"
+#include "ui/start_page.h"
 #include "ui/tool_settings_store.h"
 #include "ui/tools/tool_list.h"
 #include "ui/viewport/described.h"
@@ -65,6 +67,20 @@ void MainWindow::makeCentre()
     viewport_->setFriends(shownFriends_);
     connect(viewport_, &Viewport::failed, messages_, &MessageBar::say);
     connect(viewport_, &Viewport::frameDrawn, this, &MainWindow::showFrameLine);
+}
+
+void MainWindow::makeStartPage()
+{
+    startPage_ = new StartPage(*files_, centralWidget());
+    startPage_->hide();
+    static_cast<QVBoxLayout*>(centralWidget()->layout())->addWidget(startPage_, 1);
+    const auto leave = [this] {
+        if (isStartPageShown())
+            showStartPage(false);
+    };
+    connect(&document_, &Document::sceneChanged, startPage_, leave);
+    connect(&document_, &Document::documentReplaced, startPage_, leave);
+    new PictureTaker(document_, *viewport_, centralWidget());
 }
 
 void MainWindow::makeActions()

@@ -69,7 +69,7 @@ int runWindow(int& argc, char** argv, const std::vector<std::filesystem::path>& 
     MainWindow window;
     window.keepForRecovery(recoveryFolder(), autosaveInterval());
     if (files.empty())
-        window.files().openSample("hull");
+        window.showStartPage();
     else
         window.files().open(files);
     window.show();

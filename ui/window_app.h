@@ -7,7 +7,7 @@
 namespace knotspan {
 
 // Opens the window, the first file in it, adds the others' objects, and runs until the window is closed.
-// Without a file it starts on a sample. Returns the exit code: 1, with a sentence on standard error, where
+// Without a file it shows the start page. Returns the exit code: 1, with a sentence on standard error, where
 // there is no display.
 int runWindow(int& argc, char** argv, const std::vector<std::filesystem::path>& files);
 

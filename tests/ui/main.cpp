@@ -15,6 +15,7 @@ int main(int argc, char** argv)
     qputenv("QT_QPA_PLATFORM", "offscreen");
     qputenv("XDG_RUNTIME_DIR", path.c_str());
     qputenv("XDG_CONFIG_HOME", path.c_str());
+    qputenv("XDG_CACHE_HOME", path.c_str());
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, QString::fromStdString(path));
     QApplication application(argc, argv);
     QApplication::setOrganizationName("Knotspan");

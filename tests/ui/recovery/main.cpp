@@ -18,6 +18,7 @@ int main(int argc, char** argv)
     qputenv("QT_QPA_PLATFORM", "offscreen");
     qputenv("XDG_RUNTIME_DIR", path.c_str());
     qputenv("XDG_CONFIG_HOME", path.c_str());
+    qputenv("XDG_CACHE_HOME", path.c_str());
     for (const char* name : {"VK_ICD_FILENAMES", "VK_DRIVER_FILES"})
         qputenv(name, "/nowhere/none.json");  // nobody looks at the pictures
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, QString::fromStdString(path));

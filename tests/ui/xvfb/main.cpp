@@ -50,6 +50,7 @@ int main(int argc, char** argv)
     qputenv("QT_QPA_PLATFORM", "xcb");
     qputenv("XDG_RUNTIME_DIR", path.c_str());
     qputenv("XDG_CONFIG_HOME", path.c_str());
+    qputenv("XDG_CACHE_HOME", path.c_str());
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, QString::fromStdString(path));
     int result = EXIT_FAILURE;
     {
