@@ -182,6 +182,7 @@ std::vector<FolderRule> makeRules()
         {.folder = "model/core", .mayInclude = {}},
         {.folder = "model/geometry", .mayInclude = geometry},
         {.folder = "model/analysis", .mayInclude = values},
+        {.folder = "model/trimming", .mayInclude = values},
         {.folder = "model/matching", .mayInclude = scene},
         {.folder = "model/making", .mayInclude = values + Folders{"model/scene"}},
         {.folder = "model/refining", .mayInclude = values + Folders{"model/scene"}},

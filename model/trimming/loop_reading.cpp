@@ -1,0 +1,232 @@
+#include "model/trimming/loop_reading.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+#include <glm/geometric.hpp>
+
+namespace knotspan {
+
+namespace {
+
+constexpr double kWidestGap = 5e-3;     // of the domain
+constexpr double kSilentGap = 1e-6;     // below, a gap is rounding, and not spoken of
+constexpr double kSilentBeyond = 1e-6;  // the same of what reaches out of the domain
+constexpr double kMostPeriods = 3;
+
+struct Extent {
+    Vec2 low{1e300};
+    Vec2 high{-1e300};
+
+    void add(const LoopChain& chain)
+    {
+        for (const LoopArc& part : chain)
+            for (const TrimPoint& point : part.arc.points) {
+                low = glm::min(low, point.position);
+                high = glm::max(high, point.position);
+            }
+    }
+};
+
+std::string percent(double share)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, "%.2g %%", 100 * share);
+    return text;
+}
+
+double signedArea(const LoopChain& chain)
+{
+    constexpr int kSamples = 16;
+    std::vector<Vec2> polygon;
+    for (const LoopArc& part : chain)
+        for (int k = 0; k < (part.arc.points.size() == 2 ? 1 : kSamples); ++k)
+            polygon.push_back(placeOf(part.arc.points, static_cast<double>(k) / kSamples));
+    double area = 0;
+    for (size_t k = 0; k < polygon.size(); ++k) {
+        const Vec2 a = polygon[k] - polygon[0];
+        const Vec2 b = polygon[(k + 1) % polygon.size()] - polygon[0];
+        area += (a.x * b.y - a.y * b.x) / 2;
+    }
+    return area;
+}
+
+class Reading {
+public:
+    explicit Reading(const NurbsSurface& surface)
+        : surface_(surface),
+          low_(surface.knotsU().domainStart(), surface.knotsV().domainStart()),
+          size_(Vec2(surface.knotsU().domainEnd(), surface.knotsV().domainEnd()) - low_)
+    {
+    }
+
+    void add(const TrimLoop& loop, std::uint32_t number)
+    {
+        name_ = "Trim loop " + std::to_string(number + 1);
+        LoopChain chain = arcsOf(loop, number);
+        if (chain.empty())
+            return say("has no curves and is left out");
+        bridgeGaps(chain);
+        if (!close(chain, number))
+            return;
+        if (!wraps_) {
+            const double area = signedArea(chain) / (size_.x * size_.y);
+            if (std::abs(area) < 1e-12)
+                say("encloses nothing");
+            else if ((area > 0) != loop.outer)
+                say("runs the wrong way round, which does not matter for what it encloses");
+        }
+        place(std::move(chain));
+    }
+
+    LoopReading taken(const std::vector<TrimLoop>& loops)
+    {
+        const bool anyOuter = std::any_of(loops.begin(), loops.end(), [](const auto& l) { return l.outer; });
+        reading_.startsInside = lowestWrap_ ? lowestWrap_->second : !anyOuter;
+        if (reading_.refused)
+            reading_.chains.clear();
+        return std::move(reading_);
+    }
+
+private:
+    void say(const std::string& what) { reading_.report.push_back(name_ + " " + what + "."); }
+    void refuse(const std::string& what)
+    {
+        say(what + "; the surface is drawn untrimmed");
+        reading_.refused = true;
+    }
+
+    static LoopChain arcsOf(const TrimLoop& loop, std::uint32_t number)
+    {
+        LoopChain chain;
+        for (size_t k = 0; k < loop.curves.size(); ++k)
+            for (TrimArc& arc : bezierArcs(loop.curves[k]))
+                chain.push_back({std::move(arc), number, static_cast<std::uint32_t>(k)});
+        return chain;
+    }
+
+    static LoopArc line(const Vec2& from, const Vec2& to, std::uint32_t loop)
+    {
+        return {TrimArc{{{from, 1}, {to, 1}}}, loop, kNoCurve};
+    }
+    [[nodiscard]] double shareOf(const Vec2& way) const { return glm::length(way / size_); }
+
+    // Between curves; not yet from the last one's end to the first one's start.
+    void bridgeGaps(LoopChain& chain)
+    {
+        LoopChain whole;
+        double widest = 0;
+        for (LoopArc& part : chain) {
+            if (!whole.empty() && whole.back().arc.end() != part.arc.start()) {
+                widest = std::max(widest, shareOf(part.arc.start() - whole.back().arc.end()));
+                whole.push_back(line(whole.back().arc.end(), part.arc.start(), part.loop));
+            }
+            whole.push_back(std::move(part));
+        }
+        chain = std::move(whole);
+        widest_ = widest;
+    }
+
+    bool close(LoopChain& chain, std::uint32_t number)
+    {
+        wraps_ = false;
+        const Vec2 start = chain.front().arc.start();
+        const Vec2 end = chain.back().arc.end();
+        for (const int axis : {0, 1}) {
+            Vec2 period(0.0);
+            period[axis] = end[axis] > start[axis] ? size_[axis] : -size_[axis];
+            if (shareOf(end - start - period) <= kWidestGap && closedAlong(axis) && widest_ <= kWidestGap) {
+                wrap(chain, axis, number);
+                return true;
+            }
+        }
+        widest_ = std::max(widest_, shareOf(start - end));
+        if (widest_ > kWidestGap) {
+            refuse("is open by " + percent(widest_) + " of the domain");
+            return false;
+        }
+        if (widest_ > kSilentGap)
+            say("had gaps of up to " + percent(widest_) + " of the domain, closed by lines");
+        if (start != end)
+            chain.push_back(line(end, start, number));
+        return true;
+    }
+
+    [[nodiscard]] bool closedAlong(int axis) const
+    {
+        return axis == 0 ? surface_.isClosedU() : surface_.isClosedV();
+    }
+
+    // A chain around the surface: closed beyond the domain's end across it. All are, so that they say
+    // together what lies between them.
+    void wrap(LoopChain& chain, int axis, std::uint32_t number)
+    {
+        wraps_ = true;
+        const Vec2 start = chain.front().arc.start();
+        const Vec2 end = chain.back().arc.end();
+        const bool runsUp = end[axis] > start[axis];
+        const bool insideBelow = runsUp == (axis == 1);
+        const double at = start[1 - axis];
+        if (!lowestWrap_ || at < lowestWrap_->first)
+            lowestWrap_ = {at, insideBelow};
+        Vec2 farEnd = end;
+        Vec2 farStart = start;
+        farEnd[1 - axis] = farStart[1 - axis] = low_[1 - axis] + 2 * size_[1 - axis];
+        for (const auto& [from, to] : {std::pair(end, farEnd), {farEnd, farStart}, {farStart, start}})
+            chain.push_back(line(from, to, number));
+    }
+
+    // Where it lies, and on a closed surface a period away.
+    void place(LoopChain chain)
+    {
+        Extent extent;
+        extent.add(chain);
+        Vec2 first(0.0);
+        Vec2 last(0.0);
+        for (const int axis : {0, 1}) {
+            const double below = (low_[axis] - extent.low[axis]) / size_[axis];
+            const double above = (extent.high[axis] - low_[axis]) / size_[axis] - 1;
+            if (std::max(below, above) <= kSilentBeyond || (wraps_ && above >= 1 - kSilentBeyond))
+                continue;
+            if (!closedAlong(axis)) {
+                say("reaches beyond the surface by " + percent(std::max(below, above)) +
+                    " of the domain and is cut off there");
+                continue;
+            }
+            say("crosses the seam and goes on at its other side");
+            first[axis] = -std::min(kMostPeriods, std::ceil(std::max(0.0, above)));
+            last[axis] = std::min(kMostPeriods, std::ceil(std::max(0.0, below)));
+        }
+        for (double i = first.x; i <= last.x; ++i)
+            for (double j = first.y; j <= last.y; ++j) {
+                LoopChain moved = chain;
+                for (LoopArc& part : moved)
+                    for (TrimPoint& point : part.arc.points)
+                        point.position += Vec2(i, j) * size_;
+                reading_.chains.push_back(std::move(moved));
+            }
+    }
+
+    const NurbsSurface& surface_;
+    Vec2 low_;
+    Vec2 size_;
+    LoopReading reading_;
+    std::string name_;
+    double widest_ = 0;
+    bool wraps_ = false;
+    std::optional<std::pair<double, bool>> lowestWrap_;  // where, and whether the face lies below
+};
+
+}  // namespace
+
+LoopReading readLoops(const std::vector<TrimLoop>& loops, const NurbsSurface& surface)
+{
+    Reading reading(surface);
+    for (size_t k = 0; k < loops.size(); ++k)
+        reading.add(loops[k], static_cast<std::uint32_t>(k));
+    return reading.taken(loops);
+}
+
+}  // namespace knotspan

@@ -1,0 +1,377 @@
+// Trimmed regions against polygons of the loops' own points, and the index in float against the reference in
+// double.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "model/trimming/trim_index.h"
+
+namespace knotspan::testing {
+namespace {
+
+NurbsSurface flatSurface(const std::vector<double>& placesU, const std::vector<double>& placesV)
+{
+    const auto knots = [](const std::vector<double>& places) {
+        std::vector<double> values(2, places.front());
+        values.insert(values.end(), places.begin() + 1, places.end() - 1);
+        values.insert(values.end(), 2, places.back());
+        return KnotVector::create(1, values).value();
+    };
+    std::vector<ControlPoint> points;
+    for (const double u : placesU)
+        for (const double v : placesV)
+            points.push_back({{u, v, 0}, 1});
+    return NurbsSurface::create(knots(placesU), knots(placesV), points).value();
+}
+
+NurbsSurface flatSurface()
+{
+    return flatSurface({-1, -0.25, 0.125, 1.5, 3}, {10, 11, 11.75, 12});
+}
+
+// A cylinder around z, u from 0 to 1 around it; closed in u.
+NurbsSurface roundSurface()
+{
+    std::vector<ControlPoint> points;
+    for (const Vec2 at : {Vec2(1, 0), Vec2(0, 1), Vec2(-1, 0), Vec2(0, -1), Vec2(1, 0)})
+        for (const double z : {0.0, 1.0})
+            points.push_back({{at.x, at.y, z}, 1});
+    return NurbsSurface::create(KnotVector::clampedUniform(1, 4), KnotVector::clampedUniform(1, 1), points)
+        .value();
+}
+
+TrimCurve polyline(const std::vector<Vec2>& places)
+{
+    std::vector<TrimPoint> points;
+    for (const Vec2& place : places)
+        points.push_back({place, 1});
+    return TrimCurve::create(KnotVector::clampedUniform(1, static_cast<int>(places.size()) - 1), points)
+        .value();
+}
+
+TrimCurve circle(const Vec2& centre, double radius, bool anticlockwise = true)
+{
+    const double half = std::sqrt(0.5);
+    std::vector<TrimPoint> points;
+    const Vec2 corners[] = {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}, {1, 0}};
+    for (int k = 0; k < 9; ++k)
+        points.push_back({centre + radius * corners[anticlockwise ? k : 8 - k], k % 2 == 0 ? 1 : half});
+    return TrimCurve::create(KnotVector::create(2, {0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4}).value(), points)
+        .value();
+}
+
+// All points of the loops, closely.
+std::vector<std::vector<Vec2>> polygonsOf(const std::vector<TrimLoop>& loops, int samplesPerSpan)
+{
+    std::vector<std::vector<Vec2>> polygons;
+    for (const TrimLoop& loop : loops) {
+        std::vector<Vec2>& polygon = polygons.emplace_back();
+        for (const TrimCurve& curve : loop.curves)
+            for (const int span : curve.knots().spans())
+                for (int k = 0; k < samplesPerSpan; ++k)
+                    polygon.push_back(
+                        curve.evaluate(curve.knots()[span] +
+                                       (curve.knots()[span + 1] - curve.knots()[span]) * k / samplesPerSpan));
+        polygon.push_back(loop.curves.back().evaluate(loop.curves.back().knots().domainEnd()));
+    }
+    return polygons;
+}
+
+struct Verdict {
+    bool inside;
+    double distance;
+};
+Verdict verdictOf(const std::vector<std::vector<Vec2>>& polygons, const Vec2& at, bool inside)
+{
+    Verdict verdict{inside, 1e300};
+    for (const auto& polygon : polygons)
+        for (size_t k = 0; k < polygon.size(); ++k) {
+            const Vec2 a = polygon[k];
+            const Vec2 b = polygon[(k + 1) % polygon.size()];
+            if ((a.y <= at.y) != (b.y <= at.y) && a.x + (at.y - a.y) / (b.y - a.y) * (b.x - a.x) < at.x)
+                verdict.inside = !verdict.inside;
+            const Vec2 way = b - a;
+            const double s =
+                way == Vec2(0) ? 0 : std::clamp(glm::dot(at - a, way) / glm::dot(way, way), 0.0, 1.0);
+            verdict.distance = std::min(verdict.distance, glm::length(at - a - s * way));
+        }
+    return verdict;
+}
+
+struct Counts {
+    int asked = 0;
+    int inside = 0;
+    int wrongRegion = 0;
+    int wrongIndex = 0;  // further from the curves than float tells
+    int wrongClass = 0;
+};
+
+// At random points of the domain, each further than `near` from the loops for the polygons.
+Counts compare(const std::vector<TrimLoop>& loops, const NurbsSurface& surface, double near,
+               int points = 3000, int samplesPerSpan = 200, bool startsInside = false)
+{
+    const TrimRegion region(loops, surface);
+    const auto index = TrimIndex::create(region);
+    EXPECT_TRUE(index.has_value());
+    const auto polygons = polygonsOf(loops, samplesPerSpan);
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> share(0, 1);
+    const Vec2 low(surface.knotsU().domainStart(), surface.knotsV().domainStart());
+    const Vec2 size = Vec2(surface.knotsU().domainEnd(), surface.knotsV().domainEnd()) - low;
+    Counts counts;
+    for (int k = 0; k < points; ++k) {
+        const Vec2 at = low + Vec2(share(random), share(random)) * size;
+        const Verdict wanted = verdictOf(polygons, at, startsInside);
+        const bool found = region.contains(at.x, at.y);
+        const TrimRegion::Place place = region.placeOf(at.x, at.y);
+        const auto ksquad = static_cast<std::uint32_t>(place.a * region.countV() + place.b);
+        const bool indexed =
+            index->contains(ksquad, static_cast<float>(place.t.x), static_cast<float>(place.t.y));
+        ++counts.asked;
+        counts.inside += wanted.inside;
+        counts.wrongRegion += wanted.distance > near && found != wanted.inside;
+        counts.wrongIndex += wanted.distance > 1e-5 + near && indexed != found;
+        const KsQuadTrim kind = index->classOf(ksquad);
+        counts.wrongClass +=
+            kind != KsQuadTrim::cut && (kind == KsQuadTrim::inside) != found && wanted.distance > near;
+    }
+    return counts;
+}
+
+void expectRight(const Counts& counts, const std::string& what)
+{
+    EXPECT_EQ(counts.wrongRegion, 0) << what;
+    EXPECT_EQ(counts.wrongIndex, 0) << what;
+    EXPECT_EQ(counts.wrongClass, 0) << what;
+}
+
+TEST(TrimRegion, OfASurfaceWithoutLoopsIsAll)
+{
+    const TrimRegion region({}, flatSurface());
+    EXPECT_FALSE(region.isTrimmed());
+    EXPECT_TRUE(region.contains(0, 11));
+    const TrimIndex index = TrimIndex::create(region).value();
+    for (std::uint32_t k = 0; k < index.ksquadCount(); ++k)
+        EXPECT_EQ(index.classOf(k), KsQuadTrim::inside);
+}
+
+TEST(TrimRegion, OfACircleIsExactToTheLastDigits)
+{
+    const Vec2 centre(0.9, 11.1);
+    const TrimRegion region({{true, {circle(centre, 0.7)}}}, flatSurface());
+    for (int k = 0; k < 3000; ++k) {
+        const Vec2 way(std::cos(k * 0.7), std::sin(k * 0.7));
+        const Vec2 in = centre + 0.7 * (1 - 1e-12) * way;
+        const Vec2 out = centre + 0.7 * (1 + 1e-12) * way;
+        EXPECT_TRUE(region.contains(in.x, in.y)) << k;
+        EXPECT_FALSE(region.contains(out.x, out.y)) << k;
+    }
+}
+
+TEST(TrimRegion, OfARingHasAHole)
+{
+    const std::vector<TrimLoop> loops{{true, {circle({0.9, 11.1}, 0.8)}},
+                                      {false, {circle({1, 11.2}, 0.3, false)}}};
+    const Counts counts = compare(loops, flatSurface(), 1e-4);
+    expectRight(counts, "ring");
+    EXPECT_GT(counts.inside, 300);
+    EXPECT_TRUE(TrimRegion(loops, flatSurface()).report().empty());
+}
+
+TEST(TrimRegion, OfAHoleAloneIsTheRest)
+{
+    const std::vector<TrimLoop> loops{{false, {circle({1, 11.2}, 0.5, false)}}};
+    expectRight(compare(loops, flatSurface(), 1e-4, 3000, 200, true), "hole");
+    EXPECT_TRUE(TrimRegion(loops, flatSurface()).contains(-1, 10));
+    EXPECT_TRUE(TrimRegion(loops, flatSurface()).contains(3, 12));
+}
+
+TEST(TrimRegion, OfRandomLoopsOfAllDegreesAgreesWithPolygons)
+{
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> share(0, 1);
+    for (int round = 0; round < 60; ++round) {
+        const int degree = 1 + round % 9;
+        const int spans = 2 + round % 7;
+        std::vector<TrimPoint> points;
+        for (int k = 0; k < degree + spans; ++k)
+            points.push_back({{-1.2 + 4.4 * share(random), 9.8 + 2.4 * share(random)},
+                              round % 3 == 0 ? 1 : std::exp(3 * share(random))});
+        points.back().position = points.front().position;
+        const std::vector<TrimLoop> loops{
+            {true, {TrimCurve::create(KnotVector::clampedUniform(degree, spans), points).value()}}};
+        expectRight(compare(loops, flatSurface(), 2e-4, 1000, 600), "round " + std::to_string(round));
+    }
+}
+
+TEST(TrimRegion, LoopsAlongKnotLinesAreExact)
+{
+    const std::vector<TrimLoop> loops{
+        {true, {polyline({{-0.25, 10}, {1.5, 10}, {1.5, 11.75}, {-0.25, 11.75}, {-0.25, 10}})}}};
+    const TrimRegion region(loops, flatSurface());
+    const TrimIndex index = TrimIndex::create(region).value();
+    const bool wanted[4] = {false, true, true, false};
+    for (std::uint32_t a = 0; a < 4; ++a)
+        for (std::uint32_t b = 0; b < 3; ++b)
+            EXPECT_EQ(index.classOf(3 * a + b), wanted[a] && b < 2 ? KsQuadTrim::inside : KsQuadTrim::outside)
+                << a << " " << b;
+    expectRight(compare(loops, flatSurface(), 1e-6), "knot lines");
+}
+
+TEST(TrimRegion, TheWholeDomainsBorderTrimsNothing)
+{
+    const std::vector<TrimLoop> loops{{true, {polyline({{-1, 10}, {3, 10}, {3, 12}, {-1, 12}, {-1, 10}})}}};
+    const TrimIndex index = TrimIndex::create(TrimRegion(loops, flatSurface())).value();
+    for (std::uint32_t k = 0; k < index.ksquadCount(); ++k)
+        EXPECT_EQ(index.classOf(k), KsQuadTrim::inside) << k;
+    EXPECT_TRUE(TrimRegion(loops, flatSurface()).contains(3, 12));
+}
+
+TEST(TrimRegion, OfTenThousandPiecesIsFoundByLookingAtFew)
+{
+    std::vector<Vec2> places;
+    constexpr int kPieces = 10000;
+    for (int k = 0; k <= kPieces; ++k) {
+        const double angle = 2 * 3.14159265358979 * (k % kPieces) / kPieces;
+        const double radius = 0.8 + 0.05 * std::sin(40 * angle) + 0.001 * (k % 2);
+        places.emplace_back(0.7 + 1.5 * radius * std::cos(angle), 11 + radius * std::sin(angle));
+    }
+    const std::vector<TrimLoop> loops{{true, {polyline(places)}}};
+    expectRight(compare(loops, flatSurface(), 1e-7, 1000, 1), "10000");
+    const TrimIndex index = TrimIndex::create(TrimRegion(loops, flatSurface())).value();
+    EXPECT_LT(index.mostPieces(), 100U);
+    EXPECT_LT(index.words().size(), 1000000U);
+}
+
+TEST(TrimRegion, LoopsThatTouchAndSliversAreRight)
+{
+    const std::vector<TrimLoop> touching{{true, {circle({0.5, 11}, 0.5)}},
+                                         {true, {circle({1.5, 11}, 0.5)}},
+                                         {false, {circle({0.25, 11}, 0.25, false)}}};
+    expectRight(compare(touching, flatSurface(), 1e-4), "touching");
+    const double thin = 1e-7;
+    const std::vector<TrimLoop> sliver{
+        {true,
+         {polyline({{-0.5, 10.5}, {2.5, 11.5}, {2.5, 11.5 + thin}, {-0.5, 10.5 + thin}, {-0.5, 10.5}})}}};
+    const TrimRegion region(sliver, flatSurface());
+    for (int k = 1; k < 100; ++k) {
+        const double u = -0.5 + 3.0 * k / 100;
+        const double v = 10.5 + 1.0 * k / 100;
+        EXPECT_TRUE(region.contains(u, v + thin / 2));
+        EXPECT_FALSE(region.contains(u, v - thin / 2));
+        EXPECT_FALSE(region.contains(u, v + 2 * thin));
+    }
+    expectRight(compare(sliver, flatSurface(), 1e-5), "sliver");
+}
+
+TEST(TrimRegion, ALoopThatCrossesItselfEnclosesBothLobes)
+{
+    const std::vector<TrimLoop> loops{
+        {true, {polyline({{0, 10.5}, {2, 11.5}, {2, 10.5}, {0, 11.5}, {0, 10.5}})}}};
+    const Counts counts = compare(loops, flatSurface(), 1e-6);
+    expectRight(counts, "eight");
+    EXPECT_GT(counts.inside, 100);
+}
+
+TEST(TrimRegion, WhatReachesBeyondTheSurfaceIsCutOffThereAndSaid)
+{
+    const std::vector<TrimLoop> loops{{true, {circle({-0.9, 11}, 0.7)}}};
+    expectRight(compare(loops, flatSurface(), 1e-4), "beyond");
+    const TrimRegion region(loops, flatSurface());
+    ASSERT_EQ(region.report().size(), 1U);
+    EXPECT_NE(region.report()[0].find("reaches beyond the surface by 15 %"), std::string::npos)
+        << region.report()[0];
+    for (const auto& chain : region.chains())
+        for (size_t k = 0; k < chain.size(); ++k)
+            EXPECT_GE(chain[k].points.front().position.x, 0);
+}
+
+TEST(TrimRegion, AnOpenLoopIsRefusedAndSaid)
+{
+    const TrimRegion region({{true, {polyline({{0, 10.5}, {2, 10.5}, {2, 11.5}})}}}, flatSurface());
+    EXPECT_FALSE(region.isTrimmed());
+    EXPECT_TRUE(region.contains(-1, 10));
+    ASSERT_EQ(region.report().size(), 1U);
+    EXPECT_NE(region.report()[0].find("is open by"), std::string::npos) << region.report()[0];
+}
+
+TEST(TrimRegion, ASmallGapIsClosedByALineAndSaid)
+{
+    const std::vector<TrimLoop> loops{
+        {true, {polyline({{0, 10.5}, {2, 10.5}}), polyline({{2.004, 10.5}, {1, 11.5}, {0.001, 10.5}})}}};
+    const TrimRegion region(loops, flatSurface());
+    EXPECT_TRUE(region.isTrimmed());
+    EXPECT_TRUE(region.contains(1, 11));
+    EXPECT_FALSE(region.contains(2.5, 11));
+    ASSERT_EQ(region.report().size(), 1U);
+    EXPECT_NE(region.report()[0].find("closed by lines"), std::string::npos) << region.report()[0];
+}
+
+TEST(TrimRegion, ALoopAcrossTheSeamGoesOnAtItsOtherSide)
+{
+    const TrimRegion region({{true, {circle({1, 0.5}, 0.2)}}}, roundSurface());
+    EXPECT_TRUE(region.contains(0.9, 0.5));
+    EXPECT_TRUE(region.contains(0.1, 0.5));
+    EXPECT_FALSE(region.contains(0.3, 0.5));
+    EXPECT_FALSE(region.contains(0.7, 0.5));
+    EXPECT_FALSE(region.contains(0.1, 0.8));
+}
+
+TEST(TrimRegion, TwoLoopsAroundACylinderKeepWhatLiesBetween)
+{
+    const TrimLoop lower{true, {polyline({{0, 0.2}, {0.5, 0.3}, {1, 0.2}})}};
+    const TrimLoop upper{true, {polyline({{1, 0.8}, {0, 0.8}})}};
+    const TrimRegion between({lower, upper}, roundSurface());
+    EXPECT_FALSE(between.contains(0.5, 0.25));
+    EXPECT_TRUE(between.contains(0.5, 0.5));
+    EXPECT_FALSE(between.contains(0.5, 0.9));
+    const TrimRegion below({upper}, roundSurface());
+    EXPECT_TRUE(below.contains(0.5, 0.1));
+    EXPECT_FALSE(below.contains(0.5, 0.9));
+    const TrimRegion above({lower}, roundSurface());
+    EXPECT_FALSE(above.contains(0.1, 0.1));
+    EXPECT_TRUE(above.contains(0.1, 0.9));
+}
+
+// The area by pieces, as Green has it.
+TEST(TrimRegion, ItsChainsAreClosedAndEncloseTheAreaOfTheLoops)
+{
+    const std::vector<TrimLoop> loops{{true, {circle({0.9, 11.1}, 0.8)}},
+                                      {false, {circle({1, 11.2}, 0.3, false)}}};
+    const NurbsSurface surface = flatSurface();
+    const std::vector<double> u{-1, -0.25, 0.125, 1.5, 3};
+    const std::vector<double> v{10, 11, 11.75, 12};
+    double area = 0;
+    const TrimRegion region(loops, surface);
+    for (const auto& chain : region.chains()) {
+        std::vector<Vec2> polygon;
+        for (const RegionPiece& piece : chain) {
+            const Vec2 low(u[static_cast<size_t>(piece.a)], v[static_cast<size_t>(piece.b)]);
+            const Vec2 high(u[static_cast<size_t>(piece.a) + 1], v[static_cast<size_t>(piece.b) + 1]);
+            const auto place = [&](double t) { return low + placeOf(piece.points, t) * (high - low); };
+            const TrimCurve& curve = loops[piece.loop].curves[piece.curve];
+            for (const double t : {0.0, 0.3, 1.0}) {
+                const Vec2 wanted = curve.evaluate(piece.from + t * (piece.to - piece.from));
+                EXPECT_LT(glm::length(place(t) - wanted), 1e-12);
+            }
+            if (!polygon.empty()) {
+                EXPECT_LT(glm::length(polygon.back() - place(0)), 1e-2);
+            }
+            for (int k = 0; k < 300; ++k)
+                polygon.push_back(place(k / 300.0));
+        }
+        for (size_t k = 0; k < polygon.size(); ++k) {
+            const Vec2 a = polygon[k] - polygon[0];
+            const Vec2 b = polygon[(k + 1) % polygon.size()] - polygon[0];
+            area += (a.x * b.y - a.y * b.x) / 2;
+        }
+    }
+    EXPECT_NEAR(area, 3.14159265358979 * (0.64 - 0.09), 1e-5);
+}
+
+}  // namespace
+}  // namespace knotspan::testing
