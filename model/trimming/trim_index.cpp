@@ -182,6 +182,11 @@ private:
             if (piece.highY <= bottom || piece.lowY >= top)
                 continue;
             band.pieces.push_back(k);
+            // Nothing crosses a level piece, but above it all is otherwise than below.
+            if (piece.lowY == piece.highY) {
+                parts.push_back({piece.lowX, piece.highX, {}});
+                continue;
+            }
             const auto [left, right] = piece.within(bottom, top);
             parts.push_back({left, right, {k}});
         }
@@ -192,7 +197,8 @@ private:
                 continue;
             }
             band.cells.back().right = std::max(band.cells.back().right, part.right);
-            band.cells.back().pieces.push_back(part.pieces[0]);
+            band.cells.back().pieces.insert(band.cells.back().pieces.end(), part.pieces.begin(),
+                                            part.pieces.end());
         }
         return band;
     }
@@ -263,7 +269,8 @@ Result<TrimIndex> TrimIndex::create(const TrimRegion& region)
     const auto countU = static_cast<size_t>(region.countU());
     const auto countV = static_cast<size_t>(region.countV());
     index.ksquads_ = static_cast<std::uint32_t>(countU * countV);
-    index.words_.assign(index.ksquads_, TRIM_INSIDE);
+    // No record starts at a place that is also a verdict.
+    index.words_.assign(std::max(index.ksquads_, TRIM_OUTSIDE + 1), TRIM_INSIDE);
     if (!region.isTrimmed())
         return index;
     std::vector<std::vector<const RegionPiece*>> pieces(countU * countV);
@@ -278,7 +285,8 @@ Result<TrimIndex> TrimIndex::create(const TrimRegion& region)
             Toggles passed = left;
             for (const RegionPiece* piece : pieces[a * countV + b]) {
                 FloatPiece made(*piece);
-                if (made.lowY == made.highY || (made.lowX == 1 && a + 1 == countU))
+                if ((made.lowY == made.highY && (made.lowY == 0 || made.lowY == 1)) ||
+                    (made.lowX == 1 && a + 1 == countU))
                     continue;
                 passed.insert(passed.end(), {made.lowY, made.highY});
                 if (made.highX == 0)

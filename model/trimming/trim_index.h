@@ -15,8 +15,8 @@ public:
     // Refuses, with a sentence, loops so intricate that more than 2^24 entries would be needed.
     [[nodiscard]] static Result<TrimIndex> create(const TrimRegion& region);
 
-    // One word for each KSQuad (number a countV + b), then the records. To stand behind other words, record
-    // starts (those above TRIM_OUTSIDE) count from the first word here.
+    // One word for each KSQuad (number a countV + b), at least two, then the records. To stand behind other
+    // words, record starts (those above TRIM_OUTSIDE) count from the first word here.
     [[nodiscard]] const std::vector<std::uint32_t>& words() const { return words_; }
     [[nodiscard]] std::uint32_t ksquadCount() const { return ksquads_; }
     [[nodiscard]] KsQuadTrim classOf(std::uint32_t ksquad) const;

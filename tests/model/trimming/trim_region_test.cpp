@@ -8,6 +8,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "model/trimming/loop_crossings.h"
 #include "model/trimming/trim_index.h"
 
 namespace knotspan::testing {
@@ -178,6 +179,7 @@ TEST(TrimRegion, OfARingHasAHole)
                                       {false, {circle({1, 11.2}, 0.3, false)}}};
     const Counts counts = compare(loops, flatSurface(), 1e-4);
     expectRight(counts, "ring");
+    expectRight(compare(loops, flatSurface({-1, 3}, {10, 12}), 1e-4), "ring in one KSQuad");
     EXPECT_GT(counts.inside, 300);
     EXPECT_TRUE(TrimRegion(loops, flatSurface()).report().empty());
 }
@@ -220,6 +222,19 @@ TEST(TrimRegion, LoopsAlongKnotLinesAreExact)
             EXPECT_EQ(index.classOf(3 * a + b), wanted[a] && b < 2 ? KsQuadTrim::inside : KsQuadTrim::outside)
                 << a << " " << b;
     expectRight(compare(loops, flatSurface(), 1e-6), "knot lines");
+}
+
+TEST(TrimRegion, LoopsWithLevelSidesAreExact)
+{
+    for (const double bottom : {10.3, 10.5, 10.9}) {
+        const std::vector<TrimLoop> loops{
+            {true, {polyline({{-1, 10}, {3, 10}, {3, 12}, {-1, 12}, {-1, 10}})}},
+            {false,
+             {polyline(
+                 {{0, bottom}, {0, 11.3}, {2, 11.3}, {2, 11.2}, {2.5, 11.2}, {2.5, bottom}, {0, bottom}})}}};
+        expectRight(compare(loops, flatSurface(), 1e-6), "levels");
+        expectRight(compare(loops, flatSurface({-1, 3}, {10, 12}), 1e-6), "levels in one KSQuad");
+    }
 }
 
 TEST(TrimRegion, TheWholeDomainsBorderTrimsNothing)
@@ -271,10 +286,70 @@ TEST(TrimRegion, LoopsThatTouchAndSliversAreRight)
 TEST(TrimRegion, ALoopThatCrossesItselfEnclosesBothLobes)
 {
     const std::vector<TrimLoop> loops{
-        {true, {polyline({{0, 10.5}, {2, 11.5}, {2, 10.5}, {0, 11.5}, {0, 10.5}})}}};
+        {true, {polyline({{0, 10.5}, {2, 11.4}, {2, 10.5}, {0, 11.5}, {0, 10.5}})}}};
     const Counts counts = compare(loops, flatSurface(), 1e-6);
     expectRight(counts, "eight");
     EXPECT_GT(counts.inside, 100);
+    EXPECT_EQ(crossingsOf(TrimRegion(loops, flatSurface())),
+              std::vector<std::string>{"Trim loop 1 crosses itself."});
+}
+
+TEST(TrimRegion, LoopsThatCrossAreNamedAndThoseThatTouchAreNot)
+{
+    const auto crossings = [](const std::vector<TrimLoop>& loops) {
+        return crossingsOf(TrimRegion(loops, flatSurface()));
+    };
+    const TrimLoop left{true, {circle({0.5, 11}, 0.5)}};
+    EXPECT_TRUE(crossings({left, {true, {circle({1.5, 11}, 0.5)}}}).empty());
+    EXPECT_TRUE(crossings({left, {false, {circle({0.25, 11}, 0.25, false)}}}).empty());
+    EXPECT_TRUE(crossings({left, {true, {circle({0.5, 11}, 0.5, false)}}}).empty()) << "along each other";
+    const std::vector<std::string> both{"Trim loops 1 and 2 cross each other."};
+    EXPECT_EQ(crossings({left, {true, {circle({1.2, 11}, 0.5)}}}), both);
+    EXPECT_EQ(crossings({left, {true, {polyline({{0.5, 10.9}, {2, 10.9}, {2, 11.1}, {0.5, 10.9}})}}}), both);
+}
+
+// The index rounds to floats of the KSQuad: what it says wrongly is this near to a curve.
+TEST(TrimIndex, InFloatAnswersAreRightButForAFewMillionthsOfAKsQuad)
+{
+    constexpr double kNear = 2e-6;
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> share(0, 1);
+    int asked = 0;
+    int wrong = 0;
+    for (int round = 0; round < 40; ++round) {
+        const int degree = 1 + round % 7;
+        std::vector<TrimPoint> points;
+        for (int k = 0; k < degree + 3; ++k)
+            points.push_back(
+                {{4 * share(random), 3 * share(random)}, round % 2 == 0 ? 1 : 0.3 + share(random)});
+        points.back().position = points.front().position;
+        const TrimCurve curve = TrimCurve::create(KnotVector::clampedUniform(degree, 3), points).value();
+        const TrimRegion region({{true, {curve}}}, flatSurface({0, 1, 2, 3, 4}, {0, 1, 2, 3}));
+        const TrimIndex index = TrimIndex::create(region).value();
+        for (int k = 0; k < 2000; ++k) {
+            const double t = share(random);
+            const Vec2 way = curve.derivative(t);
+            const Vec2 off = Vec2(-way.y, way.x) / glm::length(way) * (k % 2 == 0 ? kNear : -kNear);
+            const TrimRegion::Place place =
+                region.placeOf((curve.evaluate(t) + off).x, (curve.evaluate(t) + off).y);
+            const auto x = static_cast<float>(place.t.x);
+            const auto y = static_cast<float>(place.t.y);
+            // Asked of the very point that is a float.
+            const double u = place.a + static_cast<double>(x);
+            const double v = place.b + static_cast<double>(y);
+            // Another part of the curve may be nearer: then no side is right.
+            bool alone = true;
+            for (const Vec2 step : {Vec2(kNear, 0), Vec2(-kNear, 0), Vec2(0, kNear), Vec2(0, -kNear)})
+                alone = alone && region.contains(u + 0.5 * step.x, v + 0.5 * step.y) == region.contains(u, v);
+            if (!alone)
+                continue;
+            ++asked;
+            wrong += index.contains(static_cast<std::uint32_t>(place.a * 3 + place.b), x, y) !=
+                     region.contains(u, v);
+        }
+    }
+    EXPECT_GT(asked, 60000);
+    EXPECT_EQ(wrong, 0);
 }
 
 TEST(TrimRegion, WhatReachesBeyondTheSurfaceIsCutOffThereAndSaid)
