@@ -66,6 +66,11 @@ std::pair<float, float> FloatPiece::within(float bottom, float top) const
 
 float FloatPiece::at(float y) const
 {
+    if (points.size() == 2) {
+        const Vec2 from = points.front().position;
+        const Vec2 way = points.back().position - from;
+        return static_cast<float>(from.x + (static_cast<double>(y) - from.y) / way.y * way.x);
+    }
     const bool rises = points.front().position.y <= points.back().position.y;
     double below = rises ? 0 : 1;
     double above = 1 - below;

@@ -12,7 +12,7 @@ namespace knotspan {
 
 namespace {
 
-constexpr size_t kMostEntries = size_t{1} << 24U;
+constexpr size_t kMostEntries = size_t{1} << 21U;
 constexpr int kMostBandsAtWill = 16;  // for each piece, beyond those that must be
 
 struct Source {

@@ -12,7 +12,7 @@ enum class KsQuadTrim { inside, outside, cut };
 
 class TrimIndex {
 public:
-    // Refuses, with a sentence, loops so intricate that more than 2^24 entries would be needed.
+    // Refuses, with a sentence, loops so intricate that more than 2^21 entries would be needed.
     [[nodiscard]] static Result<TrimIndex> create(const TrimRegion& region);
 
     // One word for each KSQuad (number a countV + b), at least two, then the records. To stand behind other

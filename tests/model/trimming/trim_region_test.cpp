@@ -262,6 +262,33 @@ TEST(TrimRegion, OfTenThousandPiecesIsFoundByLookingAtFew)
     EXPECT_LT(index.words().size(), 1000000U);
 }
 
+// Slanted teeth that reach across KSQuads, so that each height of the border between them is crossed by many.
+std::vector<TrimLoop> comb(int teeth)
+{
+    std::vector<Vec2> places;
+    for (int k = 0; k < teeth; ++k) {
+        const double v = 10.1 + 1.0 * k / teeth;
+        places.emplace_back(-0.9, v);
+        places.emplace_back(2.9, v + 0.8 + 0.4 / teeth);
+    }
+    places.emplace_back(2.9, 10.05);
+    places.emplace_back(-0.9, 10.05);
+    places.push_back(places.front());
+    return {{true, {polyline(places)}}};
+}
+
+TEST(TrimRegion, ACombOfSlantedTeethIsRight)
+{
+    expectRight(compare(comb(150), flatSurface(), 1e-6, 1000, 1), "comb");
+}
+
+TEST(TrimRegion, WhatIsTooIntricateToBeIndexedIsRefusedSoon)
+{
+    const auto index = TrimIndex::create(TrimRegion(comb(5000), flatSurface()));
+    ASSERT_FALSE(index.has_value());
+    EXPECT_NE(index.error().what.find("too intricate"), std::string::npos);
+}
+
 TEST(TrimRegion, LoopsThatTouchAndSliversAreRight)
 {
     const std::vector<TrimLoop> touching{{true, {circle({0.5, 11}, 0.5)}},
