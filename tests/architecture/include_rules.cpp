@@ -243,6 +243,11 @@ std::vector<FolderRule> makeRules()
          .mayInclude = scene + front + Folders{"benchmarks/frames", "model/samples"}},
         {.folder = "benchmarks/dragging",
          .mayInclude = scene + front + Folders{"benchmarks/dragging", "model/samples", "model/sculpting"}},
+        // The window itself.
+        {.folder = "benchmarks/starting",
+         .mayInclude = {"model", "ui"},
+         .disk = Disk::yes,
+         .qt = true},
         {.folder = "shaders", .mayInclude = {}},
         {.folder = "shaders/shared", .mayInclude = {}},
         {.folder = "shaders/surface", .mayInclude = {"shaders/shared", "shaders/culling"}},

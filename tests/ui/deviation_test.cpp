@@ -75,6 +75,22 @@ TEST_F(DeviationTest, MeasuresWhatIsSelectedFromAllOthersAndFollowsEdits)
     EXPECT_EQ(window->viewport().frame().shading, Shading::shaded);
 }
 
+TEST_F(DeviationTest, AReferenceThatWasNamedCountsWhileItIsHidden)
+{
+    SceneObject hidden = *scene().find(outer);
+    hidden.visible = false;
+    Edit edit;
+    edit.set(outer, std::make_shared<SceneObject>(std::move(hidden)));
+    window->document().apply(edit, "Hide");
+    act("view.deviation");
+    wait();
+    EXPECT_EQ(deviation().map(), nullptr) << "what is hidden is none of all others";
+    deviation().setSettings({{inner}, {outer}});
+    wait();
+    ASSERT_NE(deviation().map(), nullptr);
+    EXPECT_NEAR(deviation().map()->figures.largest, 1, deviation().map()->uncertainty());
+}
+
 TEST_F(DeviationTest, ThePictureHasTheRampsColours)
 {
     window->selection().setObjects({outer});

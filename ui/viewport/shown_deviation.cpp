@@ -8,7 +8,18 @@ namespace {
 
 enum class Part { measured, reference };
 
-// What of the scene is on that side.
+template <class Object>
+std::shared_ptr<const Object> shown(const std::shared_ptr<const Object>& object)
+{
+    if (object->visible)
+        return object;
+    auto copy = std::make_shared<Object>(*object);
+    copy->visible = true;
+    return copy;
+}
+
+// What of the scene is on that side. A reference that was named counts though it is hidden: so it does not
+// cover the colours.
 Scene partOf(const Scene& scene, const DeviationSettings& settings, Part part)
 {
     const bool isMeasured = part == Part::measured;
@@ -20,15 +31,16 @@ Scene partOf(const Scene& scene, const DeviationSettings& settings, Part part)
             return own.count(id) != 0 && (isMeasured || other.count(id) == 0);
         return other.count(id) == 0 && (!nobodyNamed || isSurface == isMeasured);
     };
+    const bool hiddenToo = !isMeasured && !own.empty();
     Scene taken;
     taken.setUnits(scene.units());
     for (const auto& [id, object] : scene.objects())
-        if (object->visible && belongs(id, true))
-            taken.exchange(id, object);
+        if ((hiddenToo || object->visible) && belongs(id, true))
+            taken.exchange(id, shown(object));
     if (!isMeasured)
         for (const auto& [id, mesh] : scene.meshes())
-            if (mesh->visible && belongs(id, false))
-                taken.exchangeMesh(id, mesh);
+            if ((hiddenToo || mesh->visible) && belongs(id, false))
+                taken.exchangeMesh(id, shown(mesh));
     return taken;
 }
 

@@ -1,38 +1,12 @@
 // Starts an X server that draws into memory, so that the window has real surfaces, and runs the tests in it.
-#include <csignal>
-
-#include <sys/prctl.h>
-
 #include <gtest/gtest.h>
 
 #include <QApplication>
 #include <QProcess>
 #include <QSettings>
-#include <QStandardPaths>
 
 #include "tests/support.h"
-
-namespace {
-
-// The name of the display; empty where there is no server.
-QByteArray startServer(QProcess& server)
-{
-    const QString program = QStandardPaths::findExecutable("Xvfb");
-    if (program.isEmpty())
-        return {};
-    // It chooses a free display itself and prints its number.
-    server.setChildProcessModifier([] { ::prctl(PR_SET_PDEATHSIG, SIGKILL); });  // goes when the test crashes
-    server.start(program, {"-displayfd", "1", "-screen", "0", "1024x768x24", "-nolisten", "tcp"});
-    QByteArray number;
-    while (!number.contains('\n')) {
-        if (!server.waitForReadyRead(20'000))
-            return {};
-        number += server.readAllStandardOutput();
-    }
-    return ":" + number.trimmed();
-}
-
-}  // namespace
+#include "tests/x_server.h"
 
 int main(int argc, char** argv)
 {
@@ -41,7 +15,7 @@ int main(int argc, char** argv)
     const std::string path = folder.path().string();
     std::filesystem::permissions(folder.path(), std::filesystem::perms::owner_all);  // as Qt wants its own
     QProcess server;
-    const QByteArray display = startServer(server);
+    const QByteArray display = knotspan::testing::startXServer(server);
     if (display.isEmpty()) {
         std::puts("skipped: no Xvfb here; install xvfb to test the window on a display");
         return EXIT_SUCCESS;
