@@ -139,6 +139,8 @@ struct Frame {
     CullSet culling;
     bool countWrongCulls = false;  // how often culling drops what shows: costs time, changes nothing
     SamplingRule sampling;         // default: what the path takes by default
+    double pixelRatio = 1;  // pixels in one of the hand's: overlays say their widths and sizes in those,
+                            // but for patches and strokes
     double tolerancePx = 0.5;
     Evaluator evaluator = Evaluator::automatic;  // by the largest degree that shows
     Shading shading = Shading::shaded;

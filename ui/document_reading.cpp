@@ -108,6 +108,10 @@ void DocumentFiles::take(const fs::path& path, Result<formats::Import> import)
             job_->wrong << QString::fromStdString(added.error().sentence());
             return;
         }
+    const formats::Format* format = formats::find(path);
+    if (!isFirst && !job_->reloads && format != nullptr && !format->namesUnits)
+        job_->notes << tr("%1: The file names no unit of length: its numbers are taken as %2.")
+                           .arg(nameOf(path), QString::fromStdString(document_.scene().units()));
     for (const std::string& note : import->notes)
         job_->notes << tr("%1: %2").arg(nameOf(path), QString::fromStdString(note));
 }

@@ -35,6 +35,9 @@ void PictureTaker::take()
         rest_.start();
         return;
     }
+    // The page shows models as they are, in one view.
+    if (viewport_.paneLayout() != PaneLayout::one || viewport_.frame().shading != Shading::shaded)
+        return;
     Renderer* renderer = viewport_.renderer();
     if (renderer == nullptr)
         return;

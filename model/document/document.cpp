@@ -88,7 +88,10 @@ Result<void> Document::add(const fs::path& path)
 Result<void> Document::add(const fs::path& path, const Scene& content)
 {
     double scale = 1;
-    if (content.units() != scene_.units()) {
+    // Numbers without a unit are taken as the open model's, as when models are compared.
+    const formats::Format* format = formats::find(path);
+    const bool namesUnits = format == nullptr || format->namesUnits;
+    if (namesUnits && content.units() != scene_.units()) {
         scale = formats::millimetresIn(content.units()) / formats::millimetresIn(scene_.units());
         if (!(scale > 0 && std::isfinite(scale)))
             return tl::unexpected(Error{"The file is in \"" + content.units() + "\", the open model in \"" +

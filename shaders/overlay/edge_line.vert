@@ -36,8 +36,8 @@ void main()
     vec2 along = (after.xy / after.w - before.xy / before.w) * frame.pixels;
     float len = length(along);
     vec2 across = len > 0.0 ? vec2(-along.y, along.x) / len : vec2(0.0, 1.0);
-    outHalfWidth = line.halfWidth;
-    outAcross = (gl_VertexIndex % 2 == 0 ? -1.0 : 1.0) * (line.halfWidth + 1.0);
+    outHalfWidth = line.halfWidth * frame.handPx;
+    outAcross = (gl_VertexIndex % 2 == 0 ? -1.0 : 1.0) * (outHalfWidth + 1.0);
     outColour = unpackUnorm4x8(line.colour).bgr;
     here.xy += across * outAcross * 2.0 / frame.pixels * here.w;
     gl_Position = here;

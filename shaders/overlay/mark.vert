@@ -13,7 +13,7 @@ void main()
     MarkRecord mark = marks[gl_VertexIndex];
     vec4 homogeneous = controlPoint(surfaces[mark.surface].firstPoint + mark.point);
     outColour = unpackUnorm4x8(mark.colour).bgr;
-    outSize = mark.size;
+    outSize = mark.size * frame.handPx;
     gl_Position = toClip(toView(mark.surface, homogeneous.xyz / homogeneous.w));
-    gl_PointSize = mark.size + 1.0;  // room for the rim that fades out
+    gl_PointSize = outSize + 1.0;  // room for the rim that fades out
 }

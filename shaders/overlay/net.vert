@@ -6,6 +6,7 @@
 #include "../shared/scene.glsl"
 
 layout(push_constant, scalar) uniform Constants { OverlayConstants overlay; };
+layout(location = 0) flat out float outSize;
 layout(constant_id = KNOTSPAN_LINES_CONSTANT) const bool kLines = false;
 
 // Lines: first those along v (countU rows of countV - 1), then those along u; two vertices each.
@@ -25,5 +26,6 @@ void main()
     uint point = kLines ? lineEnd(uint(gl_VertexIndex)) : uint(gl_VertexIndex);
     vec4 homogeneous = controlPoint(surfaces[overlay.surface].firstPoint + point);
     gl_Position = toClip(toView(overlay.surface, homogeneous.xyz / homogeneous.w));
-    gl_PointSize = overlay.pointSize;
+    outSize = overlay.pointSize * frame.handPx;
+    gl_PointSize = outSize;
 }

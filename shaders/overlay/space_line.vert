@@ -26,8 +26,8 @@ void main()
     SpaceLineRecord line = lines[gl_InstanceIndex];
     vec4 ends[2] = vec4[2](clipAt(line.from), clipAt(line.to));
     outColour = unpackUnorm4x8(line.colour).bgr;
-    outHalfWidth = line.halfWidth;
-    outAcross = (gl_VertexIndex % 2 == 0 ? -1.0 : 1.0) * (line.halfWidth + 1.0);
+    outHalfWidth = line.halfWidth * frame.handPx;
+    outAcross = (gl_VertexIndex % 2 == 0 ? -1.0 : 1.0) * (outHalfWidth + 1.0);
     // The part in front of the near plane, where depth is w: what lies behind the eye has no place in the picture.
     float before[2] = float[2](ends[0].w - ends[0].z, ends[1].w - ends[1].z);
     if (before[0] <= 0.0 && before[1] <= 0.0) {

@@ -85,6 +85,7 @@ struct FrameRecord {
     float lookCount;       // stripes from one end of the axis to the other; squares along a unit of a place
     vec3 lookAxis;         // unit, view space: of stripes; in which a mould is pulled
     vec2 lookRange;        // numbers at the ends of the ramp
+    float handPx;          // pixels in one of the hand's: in those, widths of lines and points are said
 };
 
 // A surface: what does not depend on the view.
@@ -312,7 +313,7 @@ struct OverlayConstants {
     uint surface;
     uint countU;
     uint countV;
-    float pointSize;  // pixels
+    float pointSize;  // of the hand's pixels
 };
 
 // Push constants of the reference meshes.
@@ -350,7 +351,7 @@ struct SpaceLineConstants {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(FrameRecord) == 196 && sizeof(SurfaceRecord) == 96 && sizeof(SurfaceView) == 80);
+static_assert(sizeof(FrameRecord) == 200 && sizeof(SurfaceRecord) == 96 && sizeof(SurfaceView) == 80);
 static_assert(sizeof(BorderSide) == 8 && sizeof(BorderPiece) == 32 && sizeof(BorderUse) == 8);
 static_assert(sizeof(GridRecord) == 8 && sizeof(TileRecord) == 24);
 static_assert(sizeof(KsQuadRecord) == 16 && sizeof(CapturedRecord) == 56);

@@ -24,7 +24,7 @@ PixelPlace pixelPlace(vec2 t)
 // How much of a line of about 1.5 pixels along the KSQuad's border covers this pixel.
 float knotLine(vec2 t)
 {
-    vec2 pixels = min(t, 1.0 - t) / max(fwidth(inT), vec2(1e-9));
+    vec2 pixels = min(t, 1.0 - t) / max(frame.handPx * fwidth(inT), vec2(1e-9));
     return 1.0 - smoothstep(0.4, 1.3, min(pixels.x, pixels.y));
 }
 
@@ -33,7 +33,7 @@ float knotLine(vec2 t)
 float isoCurve(vec2 t)
 {
     float parts = float(frame.isoCurves);
-    vec2 perPixel = max(fwidth(inT), vec2(1e-9));
+    vec2 perPixel = max(frame.handPx * fwidth(inT), vec2(1e-9));
     vec2 pixels = abs(t - clamp(round(t * parts), 1.0, parts - 1.0) / parts) / perPixel;
     vec2 covered = (1.0 - smoothstep(0.1, 0.9, pixels)) * smoothstep(2.0, 5.0, 1.0 / (parts * perPixel));
     return max(covered.x, covered.y);

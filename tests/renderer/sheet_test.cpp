@@ -63,6 +63,18 @@ TEST_F(SheetTest, IsForgottenWhenAFrameFillsThePictureAgain)
     EXPECT_EQ(colourAt(fresh, 40, 40), 0U) << "of the earlier picture nothing is left";
 }
 
+TEST_F(SheetTest, BeginsWithNothingWhereTheViewsAreArrangedAnew)
+{
+    Renderer& renderer = *sharedRenderer();
+    (void)drawn(renderer, scene, front);
+    (void)drawn(renderer, scene, top);
+    front.pane->x = 60;  // over parts of both
+    const Picture anew = drawn(renderer, scene, front).picture;
+    EXPECT_EQ(changedPixels(cut(anew, *front.pane, 98, 90), alone[0]), 0U);
+    for (const int x : {0, 30, 59, 158, 199})
+        EXPECT_EQ(colourAt(anew, x, 45), 0U) << x;
+}
+
 TEST_F(SheetTest, PicksInTheFrameThatWasDrawnLast)
 {
     Renderer& renderer = *sharedRenderer();

@@ -37,7 +37,8 @@ void Tour::show(const std::string& sample)
     viewport().setTool("select");
     window_->document().reset(findSample(sample)->make(), QString::fromStdString(sample));
     window_->selection().clear();
-    window_->action("view.iso")->trigger();
+    QTest::qWait(100);  // the window system takes its time to make room where panels went
+    act("view.iso");
     settle(*window_);
 }
 
@@ -47,6 +48,7 @@ void Tour::showPanel(const char* dock)
     panel->show();
     panel->raise();
     settle(*window_);
+    QTest::qWait(100);
     act("view.iso");  // the picture has another size
     settle(*window_);
 }

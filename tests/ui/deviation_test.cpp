@@ -136,7 +136,7 @@ TEST_F(DeviationTest, SaysWhatIsMissingWhereNothingIsChosen)
     act("view.deviation");
     wait();
     EXPECT_EQ(deviation().map(), nullptr);
-    EXPECT_TRUE(text("deviation-largest").startsWith("Nothing is chosen"));
+    EXPECT_TRUE(text("deviation-largest").startsWith("There is nothing to compare"));
     const QImage shown = picture(*window);
     EXPECT_EQ(shown.pixelColor(shown.width() / 2, shown.height() / 2), QColor(128, 128, 128));
 }

@@ -69,6 +69,22 @@ TEST(ViewPanes, KeepEachItsCamera)
     EXPECT_TRUE(panes.isFresh(0));
 }
 
+TEST(ViewPanes, ComeBackAsTheyWereWhenOneOfThemWasShownAlone)
+{
+    ViewPanes panes;
+    panes.setLayout(PaneLayout::four, from({1, 1, 1}));
+    for (const size_t pane : {0, 2, 3})
+        panes.setCamera(pane, from({0, double(pane), 1}));
+    (void)panes.makeCurrent(3, from({1, 1, 1}));
+    panes.setLayout(PaneLayout::one, from({0, 3, 1}));
+    EXPECT_EQ(panes.count(), 1U);
+    panes.setLayout(PaneLayout::four, from({-1, 0, 0}));
+    EXPECT_EQ(panes.current(), 3U);
+    EXPECT_EQ(panes.camera(1), from({1, 1, 1}));
+    EXPECT_EQ(panes.camera(2), from({0, 2, 1}));
+    EXPECT_EQ(panes.camera(3), from({-1, 0, 0}));
+}
+
 TEST(ViewPanes, AreNamedByWhereTheyLookFrom)
 {
     EXPECT_EQ(viewTitle(from({0, 0, 1})), "TOP");

@@ -1,10 +1,13 @@
 #include "ui/viewport/viewport.h"
 
+#include <ctime>
+
 #include <gtest/gtest.h>
 
 #include <QAction>
 #include <QListView>
 #include <QSlider>
+#include <QTest>
 
 #include <glm/geometric.hpp>
 
@@ -44,6 +47,22 @@ TEST(Viewport, AClickSelectsTheSurfaceUnderItAndNothingDeselects)
     hand.click({3, 3});
     EXPECT_TRUE(window->selection().objects().empty());
     EXPECT_TRUE(list->selectionModel()->selectedIndexes().empty());
+}
+
+TEST(Viewport, DrawsNothingAndComputesNothingWhileNobodyTouchesIt)
+{
+    Answers answers;
+    const auto window = shownWindow(answers, "hull");
+    KNOTSPAN_NEED_RENDERER(*window);
+    QTest::qWait(1500);  // friends, boxes, the picture for the list of recent files
+    ASSERT_TRUE(settle(*window));
+    int frames = 0;
+    QObject::connect(&window->viewport(), &Viewport::frameDrawn, window.get(), [&frames] { ++frames; });
+    const std::clock_t before = std::clock();
+    QTest::qWait(2000);
+    EXPECT_EQ(frames, 0);
+    const double busy = static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
+    EXPECT_LT(busy, 0.2) << "seconds of the processor, of two that passed: measured are 0.0001";
 }
 
 // A pixel where a click takes the object's surface and none of the shown control points.

@@ -158,8 +158,10 @@ void DeviationForm::showFigures()
     if (map == nullptr) {
         const QString failure = deviation.failure();
         largest_->setText(failure.isEmpty() ? tr("measuring") : failure);
+        largest_->setWordWrap(!failure.isEmpty());
         return;
     }
+    largest_->setWordWrap(false);
     const QString units = QString::fromStdString(document_.scene().units());
     const MeshDistance& found = map->figures;
     const auto about = [](double value) { return QString::number(value, 'g', 1); };

@@ -115,8 +115,9 @@ void ShownDeviation::measure()
     Scene measured = partOf(scene, settings_, Part::measured);
     Scene reference = partOf(scene, settings_, Part::reference);
     if (measured.objects().empty() || (reference.objects().empty() && reference.meshes().empty())) {
-        map_ = knotspan::failure("Nothing is chosen to be compared",
-                                 "Select surfaces and take them in the panel Measures");
+        map_ = knotspan::failure("There is nothing to compare",
+                                 "Select surfaces, or show what they are to be compared with, and take both "
+                                 "in the panel Measures");
         QTimer::singleShot(0, this, &ShownDeviation::changed);  // this is asked from within a picture
         return;
     }

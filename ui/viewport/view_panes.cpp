@@ -21,15 +21,22 @@ void ViewPanes::setLayout(PaneLayout layout, const Camera& camera)
 {
     if (layout == layout_)
         return;
+    before_[layout_] = {cameras_, current_};
     layout_ = layout;
-    cameras_.assign(paneCount(layout), Eye{});
-    // Of four the free view stands where people look for it: at the upper right.
-    current_ = layout == PaneLayout::four ? 1 : 0;
+    if (const auto known = before_.find(layout); known != before_.end()) {
+        cameras_ = known->second.cameras;
+        current_ = known->second.current;
+    } else {
+        cameras_.assign(paneCount(layout), Eye{});
+        // Of four the free view stands where people look for it: at the upper right.
+        current_ = layout == PaneLayout::four ? 1 : 0;
+    }
     cameras_[current_] = {camera, true};
 }
 
 void ViewPanes::forgetCameras()
 {
+    before_.clear();
     for (Eye& eye : cameras_)
         eye.isSet = false;
 }

@@ -2,6 +2,7 @@
 // them tools and commands work in.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -28,8 +29,8 @@ class ViewPanes {
 public:
     [[nodiscard]] PaneLayout layout() const { return layout_; }
     [[nodiscard]] size_t count() const { return cameras_.size(); }
-    // The pane that is current keeps `camera`; the others look from where they did, or as startViews() says.
-    // From many to one, the current view stays.
+    // `camera` is that of the current pane, before and after. The others look from where they did when the layout
+    // was last this one, or are fresh.
     void setLayout(PaneLayout layout, const Camera& camera);
 
     [[nodiscard]] size_t current() const { return current_; }
@@ -62,6 +63,11 @@ private:
     PaneLayout layout_ = PaneLayout::one;
     size_t current_ = 0;
     std::vector<Eye> cameras_ = std::vector<Eye>(1);
+    struct Arrangement {
+        std::vector<Eye> cameras;
+        size_t current = 0;
+    };
+    std::map<PaneLayout, Arrangement> before_;  // of the layouts that are not shown
 };
 
 // What a view that looks along an axis is called, such as "TOP"; "PERSPECTIVE" or "PARALLEL" for others.

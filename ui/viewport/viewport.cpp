@@ -47,6 +47,8 @@ Viewport::Viewport(Document& document, Selection& selection, QWidget* parent)
         viewPending_ = true;
         frame_.cullingCamera.reset();  // it stood before another model
         panes_.forgetCameras();
+        if (frame_.shading == Shading::deviation)
+            frame_.shading = Shading::shaded;  // nothing is chosen to be compared any more
         Q_EMIT frameChanged();
     });
     connect(&document_, &Document::sceneChanged, this, [this] {

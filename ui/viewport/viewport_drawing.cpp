@@ -98,6 +98,7 @@ Frame Viewport::sharedFrame()
     const PictureSize size = pictureSize();
     frame.width = size.width;
     frame.height = size.height;
+    frame.pixelRatio = presenter_->pixelRatio();
     addSelectionTo(frame.overlays);
     if (friends_ != nullptr)
         frame.overlays.edgeLines = friends_->lines();

@@ -13,7 +13,9 @@ void Viewport::setPaneLayout(PaneLayout layout)
     if (layout == panes_.layout())
         return;
     cancelDrag();
+    const double before = pictureSize().aspect();
     panes_.setLayout(layout, frame_.camera);
+    frame_.camera.zoomAt(before / pictureSize().aspect(), Vec2(0));  // as much from left to right as before
     drawnPanes_.clear();
     Q_EMIT frameChanged();
     requestDraw();

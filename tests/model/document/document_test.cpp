@@ -1,5 +1,6 @@
 #include "model/document/document.h"
 
+#include <fstream>
 #include <gtest/gtest.h>
 
 #include "model/samples/sample_list.h"
@@ -270,6 +271,20 @@ TEST(Document, AddingAFileIsOneStepAndScalesItsUnits)
     document.undo();
     EXPECT_EQ(document.scene().objects().size(), 1U);
     EXPECT_TRUE(document.scene().meshes().empty());
+}
+
+TEST(Document, TakesNumbersWithoutAUnitAsTheModelsOwn)
+{
+    const testing::TemporaryFolder folder;
+    std::ofstream(folder / "scan.off") << "OFF\n3 1 0\n0 0 0\n4 0 0\n0 0 2\n3 0 1 2\n";
+    Document document;
+    Scene metres = sample("single-100");
+    metres.setUnits("m");
+    document.reset(metres, "one");
+    const auto added = document.add(folder / "scan.off");
+    ASSERT_TRUE(added.has_value()) << added.error().sentence();
+    ASSERT_EQ(document.scene().meshes().size(), 1U);
+    EXPECT_EQ(document.scene().meshes().begin()->second->bounds().high, Vec3(4, 0, 2));
 }
 
 TEST(Document, SignalsTellOfEachChangeOnce)
