@@ -1,6 +1,5 @@
 // What the user guide shows, in its order.
 #include <QApplication>
-#include <QKeyEvent>
 #include <QLineEdit>
 #include <QScrollArea>
 

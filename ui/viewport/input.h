@@ -42,6 +42,7 @@ public:
     [[nodiscard]] bool isDragging() const { return drag_ == Drag::tool; }
 
 private:
+    // Up to `cube` nothing moves yet: what was pressed may still become a click.
     enum class Drag { none, undecided, cube, orbit, pan, zoom, tool };
 
     bool press(const QMouseEvent& event);
