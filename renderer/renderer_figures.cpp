@@ -13,6 +13,12 @@ std::uint64_t wide(const gpu::uint (&words)[2])
     return words[0] + (std::uint64_t{words[1]} << 32U);
 }
 
+std::string refusalOf(const GpuScene::Trims& trims)
+{
+    return (trims.refused == 1 ? "1 surface is" : std::to_string(trims.refused) + " surfaces are") +
+           " drawn without trim loops: " + trims.refusal;
+}
+
 }  // namespace
 
 std::uint32_t judgedBits(const Frame& frame, const SurfacePath& path, SamplingRule rule)
@@ -47,6 +53,9 @@ FrameStats Renderer::Parts::statsOf(const Frame& frame, const SurfacePath& path,
     stats.width = frame.width;
     stats.height = frame.height;
     stats.surfaces = scene.residents().size();
+    stats.surfacesTrimmed = scene.trims().trimmed;
+    if (scene.trims().refused > 0)
+        stats.drawnWhole = refusalOf(scene.trims());
     stats.ksquads = scene.ksquadCount();
     stats.ksquadsDrawn = counted_.drawn;
     std::copy(std::begin(counted_.culled), std::end(counted_.culled), stats.ksquadsCulled.begin());

@@ -152,11 +152,13 @@ FrameStats Renderer::Parts::draw(const Frame& wantedFrame, bool capture)
     if (!pathInfo(frame.path).drawsFromDevice)
         frame.wave.reset();
     wish_ = frame.evaluator;
+    if (!sceneIsHeld_)
+        sync(Scene(wanted_));
     const Evaluator evaluator = chosenEvaluator(wish_, largestDegree_, Precision::float32);
     if (!pathInfo(frame.path).cullsDice)
         frame.culling.bits &= ~CULL_DICE;
     PathVariant variant{specializationFor(evaluator), fragmentsFor(frame.shading),
-                        (frame.culling.bits & CULL_DICE) != 0};
+                        (frame.culling.bits & CULL_DICE) != 0, scene.isTrimmed()};
     variant.specialization.captures = capture;
     SurfacePath& path = pathFor(frame.path, variant);
     const PathInfo& info = pathInfo(frame.path);
@@ -171,8 +173,6 @@ FrameStats Renderer::Parts::draw(const Frame& wantedFrame, bool capture)
     const auto started = std::chrono::steady_clock::now();
     const double worked = processorMs();
     try {
-        if (!sceneIsHeld_)
-            sync(Scene(wanted_));
         scene.useEvaluator(evaluator);
         scene.usePacking(path.packing(), frame.overlays.showNets());
         fitTargets(frame);

@@ -7,9 +7,13 @@ namespace knotspan {
 bool isClosedModel(const Scene& scene)
 {
     std::vector<PlacedSurface> surfaces;
-    for (const auto& [id, object] : scene.objects())
-        if (object->visible)
-            surfaces.push_back({&object->surface, object->transform});
+    for (const auto& [id, object] : scene.objects()) {
+        if (!object->visible)
+            continue;
+        if (!object->trimLoops.empty())
+            return false;
+        surfaces.push_back({&object->surface, object->transform});
+    }
     if (surfaces.empty())
         return false;
     const CoincidentEdges edges(surfaces);

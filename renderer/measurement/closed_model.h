@@ -7,6 +7,7 @@ namespace knotspan {
 
 // True where the visible surfaces leave no border open: each side of a KSQuad that is its surface's border is
 // a pole, or runs along others over its whole length (model/analysis/coincident_edges.h).
+// Trimmed surfaces may have holes.
 [[nodiscard]] bool isClosedModel(const Scene& scene);
 
 }  // namespace knotspan

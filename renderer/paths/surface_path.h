@@ -54,13 +54,16 @@ struct PathVariant {
     Specialization specialization;
     enum class Fragments { lit, exact, error };
     Fragments fragments = Fragments::lit;
-    bool cullsDice = false;      // culling by evs, where PathInfo says that the path can
+    bool cullsDice = false;  // culling by evs, where PathInfo says that the path can
+    bool trimmed = false;    // surfaces are, in the fragment stage
 
     [[nodiscard]] const char* fragmentStage() const
     {
         if (fragments == Fragments::error)
-            return "surface_error.frag";
-        return fragments == Fragments::exact ? "surface_exact.frag" : "surface.frag";
+            return trimmed ? "surface_error_trimmed.frag" : "surface_error.frag";
+        if (fragments == Fragments::exact)
+            return trimmed ? "surface_exact_trimmed.frag" : "surface_exact.frag";
+        return trimmed ? "surface_trimmed.frag" : "surface.frag";
     }
     [[nodiscard]] auto operator<=>(const PathVariant&) const = default;
 };

@@ -10,6 +10,7 @@
 #include "shaders/culling/small.glsl"
 #include "shaders/culling/sqc.glsl"
 #include "shaders/culling/surface.glsl"
+#include "shaders/culling/trimmed.glsl"
 #include "shaders/shared/cull_list.h"
 
 namespace knotspan {
@@ -34,6 +35,12 @@ struct CullSource {
         return gpu::facingBoxOf(seen.facing->boxes()[k]);
     }
     [[nodiscard]] gpu::uint facingWord(gpu::uint k) const { return seen.facing->words()[k]; }
+
+    [[nodiscard]] gpu::uint trimVerdict(gpu::uint k) const
+    {
+        const Resident& resident = scene.residents()[scene.ksquad(k).surface];
+        return isTrimmed(resident) ? resident.trim->index->words()[k - resident.firstKsquad] : TRIM_INSIDE;
+    }
 
     [[nodiscard]] gpu::vec3 position(gpu::uint k, const gpu::vec2& t) const
     {

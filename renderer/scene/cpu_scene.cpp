@@ -18,7 +18,7 @@ gpu::Basis<double> basisBy(const CpuScene& scene, gpu::uint table, int degree, d
 auto basisFunction(Evaluator evaluator) -> decltype(&basisBy<Evaluator::triangular>)
 {
 #define KNOTSPAN_CHOICE(number, name, values, both, bent, sentence) \
-    if (evaluator == Evaluator::name)                         \
+    if (evaluator == Evaluator::name)                               \
         return basisBy<Evaluator::name>;
     KNOTSPAN_EVALUATOR_LIST(KNOTSPAN_CHOICE)
 #undef KNOTSPAN_CHOICE
@@ -28,8 +28,7 @@ auto basisFunction(Evaluator evaluator) -> decltype(&basisBy<Evaluator::triangul
 
 bool isShapedAlike(const Resident& a, const Resident& b)
 {
-    return a.id == b.id && a.object->surface.knotsU() == b.object->surface.knotsU() &&
-           a.object->surface.knotsV() == b.object->surface.knotsV();
+    return a.id == b.id && isSameShape(*a.object, *b.object);
 }
 
 template <class T>

@@ -71,7 +71,7 @@ std::vector<FacingArrays::Run> FacingArrays::update(const std::vector<Resident>&
     const auto logged = log != nullptr ? log->since(seen_) : std::nullopt;
     bool all = strength != strength_ || origins != origins_ || held_.size() != residents.size();
     for (size_t k = 0; !all && !logged && k < residents.size(); ++k)
-        all = !isSameShape(held_[k].object->surface, residents[k].object->surface);
+        all = !isSameShape(*held_[k].object, *residents[k].object);
     if (all) {
         clear();
         held_.resize(residents.size());

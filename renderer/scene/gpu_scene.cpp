@@ -24,7 +24,7 @@ GpuScene::GpuScene(Bindings& bindings, Uploader& uploader) : bindings_(bindings)
 
 void GpuScene::rebuild(const VisibleObjects& visible)
 {
-    auto residents = makeResidents(visible);
+    auto residents = makeResidents(visible, residents_);
     // Where the device refuses, nothing is left that looks as if it were there.
     forget();
     edges_ = SharedEdges(placedSurfaces(residents));
@@ -61,6 +61,7 @@ void GpuScene::sendModel(std::vector<Resident> residents)
     const auto tables = tablesOf(residents);
     sendTables(tables);
     sendPoints(residents);
+    sendTrims(residents);
     std::vector<Box> boxes;
     for (const Resident& resident : residents)
         boxes.push_back(resident.object->bounds());
@@ -82,6 +83,18 @@ void GpuScene::sendPoints(const std::vector<Resident>& residents)
         }
     send(controlPoints_, BINDING_CONTROL_POINTS, points);
     pointCount_ = static_cast<std::uint32_t>(points.size());
+}
+
+void GpuScene::sendTrims(const std::vector<Resident>& residents)
+{
+    const std::vector<std::uint32_t> words = packTrims(residents);
+    send(trimWords_, BINDING_TRIM_WORDS, words);
+    trims_ = {};
+    for (const Resident& resident : residents) {
+        trims_.trimmed += knotspan::isTrimmed(resident) ? 1 : 0;
+        if (resident.trim && !resident.trim->refusal.empty() && trims_.refused++ == 0)
+            trims_.refusal = resident.trim->refusal;
+    }
 }
 
 PackedTables<float> GpuScene::tablesOf(const std::vector<Resident>& residents) const
@@ -149,6 +162,7 @@ void GpuScene::listMemory(std::vector<HeldMemory>& to) const
     to.push_back({"span tables", spanTables_.bytes()});
     to.push_back({"KSQuad records", ksquads_.bytes()});
     to.push_back({"surface records", surfaces_.bytes()});
+    to.push_back({"trim loops", trimWords_.bytes()});
     to.push_back({"surface views", surfaceViews_.bytes() + shownShellBuffer_.bytes()});
     to.push_back({"borders", borderSides_.bytes() + borderCorners_.bytes() + borderPieces_.bytes() +
                                  borderUses_.bytes()});
@@ -159,6 +173,7 @@ void GpuScene::forget()
     residents_.clear();
     held_ = {};
     boxes_ = {};
+    trims_ = {};
     log_.restart();
     records_.clear();
     views_.clear();

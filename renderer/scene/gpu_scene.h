@@ -62,6 +62,14 @@ public:
     }
 
     [[nodiscard]] std::uint32_t ksquadCount() const { return ksquadCount_; }
+    // Those of which trim loops leave a part, and those whose loops cannot be followed.
+    struct Trims {
+        std::uint64_t trimmed = 0;
+        std::uint64_t refused = 0;
+        std::string refusal;  // of the first one
+    };
+    [[nodiscard]] const Trims& trims() const { return trims_; }
+    [[nodiscard]] bool isTrimmed() const { return trims_.trimmed > 0; }
     // Of all surfaces, as packed.
     [[nodiscard]] VkBuffer controlPointBuffer() const { return controlPoints_.get(); }
     [[nodiscard]] std::uint32_t controlPointCount() const { return pointCount_; }
@@ -84,6 +92,7 @@ private:
     void rebuild(const VisibleObjects& visible);
     void sendModel(std::vector<Resident> residents);
     void sendPoints(const std::vector<Resident>& residents);
+    void sendTrims(const std::vector<Resident>& residents);
     void sendTables(const PackedTables<float>& tables);
     [[nodiscard]] PackedTables<float> tablesOf(const std::vector<Resident>& residents) const;
     [[nodiscard]] gpu::SurfaceRecord recordOf(const Resident& resident) const;
@@ -132,6 +141,7 @@ private:
     Scene held_;  // that the residents are of
     ResidentChanges log_;
     Totals<Box> boxes_;  // by resident
+    Trims trims_;
     Box meshBox_;
     std::vector<gpu::SurfaceRecord> records_;
     std::vector<gpu::SurfaceView> views_;
@@ -144,6 +154,7 @@ private:
     Buffer ksquads_;
     Buffer spanTables_;
     Buffer controlPoints_;
+    Buffer trimWords_;
     SharedEdges edges_;
     std::set<std::size_t> unsearched_;  // residents that moved since
     Buffer borderSides_;

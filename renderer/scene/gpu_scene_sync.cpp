@@ -51,7 +51,7 @@ std::optional<std::vector<size_t>> GpuScene::changesTo(const Scene& scene) const
     std::vector<size_t> changed;
     for (size_t k = 0; k < visible.size(); ++k) {
         const auto& [id, object] = visible[k];
-        if (id != residents_[k].id || !isSameShape(object->surface, residents_[k].object->surface))
+        if (id != residents_[k].id || !isSameShape(*object, *residents_[k].object))
             return std::nullopt;
         if (object != residents_[k].object)
             changed.push_back(k);
@@ -73,7 +73,7 @@ std::optional<std::vector<size_t>> GpuScene::exchangedIn(const Scene& scene, std
             return std::nullopt;
         if (!shows || object == resident->object)
             continue;
-        if (!isSameShape(object->surface, resident->object->surface))
+        if (!isSameShape(*object, *resident->object))
             return std::nullopt;
         changed.push_back(indexOf(*resident));
     }

@@ -12,7 +12,7 @@ HeldResidents::Difference HeldResidents::take(const std::vector<Resident>& resid
         return takeLogged(residents, *changed);
     Difference difference{.anew = held_.size() != residents.size(), .changes = {}};
     for (size_t k = 0; k < residents.size() && !difference.anew; ++k) {
-        difference.anew = !isSameShape(held_[k]->surface, residents[k].object->surface);
+        difference.anew = !isSameShape(*held_[k], *residents[k].object);
         if (held_[k] != residents[k].object)
             difference.changes.push_back(
                 {static_cast<std::uint32_t>(k), placedSurface(*residents[k].object)});

@@ -9,7 +9,7 @@ namespace knotspan {
 class HeldResidents {
 public:
     struct Difference {
-        bool anew = false;  // other surfaces, or other knots: nothing of before holds
+        bool anew = false;  // other surfaces, knots or trim loops: nothing of before holds
         std::vector<SurfaceChange> changes;
 
         [[nodiscard]] bool isEmpty() const { return !anew && changes.empty(); }

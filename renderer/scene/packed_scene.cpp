@@ -2,8 +2,11 @@
 
 #include <algorithm>
 
+#include <tbb/parallel_for.h>
+
 #include "model/core/check.h"
 #include "shaders/shared/facing_forms.glsl"
+#include "shaders/shared/trimming.glsl"
 
 namespace knotspan {
 
@@ -45,9 +48,10 @@ std::optional<std::uint32_t> ksquadNumber(const std::vector<Resident>& residents
                                       static_cast<size_t>(v - spansV.begin()));
 }
 
-bool isSameShape(const NurbsSurface& a, const NurbsSurface& b)
+bool isSameShape(const SceneObject& a, const SceneObject& b)
 {
-    return &a == &b || (a.knotsU() == b.knotsU() && a.knotsV() == b.knotsV());
+    return &a == &b || (a.surface.knotsU() == b.surface.knotsU() &&
+                        a.surface.knotsV() == b.surface.knotsV() && a.trimLoops == b.trimLoops);
 }
 
 PlacedSurface placedSurface(const SceneObject& object)
@@ -97,7 +101,7 @@ PackedTables<Real> packTables(const std::vector<Resident>& residents, Evaluator 
     return packed;
 }
 
-std::vector<Resident> makeResidents(const VisibleObjects& objects)
+std::vector<Resident> makeResidents(const VisibleObjects& objects, const std::vector<Resident>& before)
 {
     std::vector<Resident> residents;
     std::uint32_t firstPoint = 0;
@@ -106,7 +110,7 @@ std::vector<Resident> makeResidents(const VisibleObjects& objects)
     std::uint32_t firstFacingWord = 0;
     for (const auto& [id, object] : objects) {
         residents.push_back({id, object, PointFrame::of(object->surface), firstPoint, firstKsquad,
-                             firstBorder, firstFacingWord});
+                             firstBorder, firstFacingWord, nullptr});
         firstPoint += static_cast<std::uint32_t>(object->surface.controlPoints().size());
         const auto ksquads = static_cast<std::uint32_t>(ksQuadCount(object->surface));
         firstKsquad += ksquads;
@@ -115,7 +119,37 @@ std::vector<Resident> makeResidents(const VisibleObjects& objects)
         firstBorder += static_cast<std::uint32_t>(
             2 * (object->surface.knotsU().spans().size() + object->surface.knotsV().spans().size()));
     }
+    tbb::parallel_for(size_t{0}, residents.size(), [&](size_t k) {
+        Resident& resident = residents[k];
+        const Resident* const held = findResident(before, resident.id);
+        resident.trim = held != nullptr && isSameShape(*held->object, *resident.object)
+                            ? held->trim
+                            : surfaceTrim(*resident.object);
+    });
     return residents;
+}
+
+std::vector<std::uint32_t> packTrims(const std::vector<Resident>& residents)
+{
+    if (std::none_of(residents.begin(), residents.end(), isTrimmed))
+        return {};
+    const Resident& last = residents.back();
+    const size_t ksquads = last.firstKsquad + ksQuadCount(last.object->surface);
+    // No record starts at a place that is also a verdict.
+    std::vector<std::uint32_t> packed(std::max(ksquads, size_t{TRIM_OUTSIDE + 1}), TRIM_INSIDE);
+    for (const Resident& resident : residents) {
+        if (!isTrimmed(resident))
+            continue;
+        const TrimIndex& index = *resident.trim->index;
+        const std::vector<std::uint32_t>& words = index.words();
+        const size_t records = std::max(index.ksquadCount(), TRIM_OUTSIDE + 1);
+        const size_t moved = packed.size() - records;
+        for (size_t k = 0; k < index.ksquadCount(); ++k)
+            packed[resident.firstKsquad + k] =
+                words[k] > TRIM_OUTSIDE ? static_cast<std::uint32_t>(words[k] + moved) : words[k];
+        packed.insert(packed.end(), words.begin() + static_cast<std::ptrdiff_t>(records), words.end());
+    }
+    return packed;
 }
 
 gpu::SurfaceRecord surfaceRecordOf(const Resident& resident)

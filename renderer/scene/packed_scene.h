@@ -8,6 +8,7 @@
 #include "model/analysis/border_curves.h"
 #include "model/scene/scene.h"
 #include "renderer/scene/patch_table.h"
+#include "renderer/scene/surface_trim.h"
 
 namespace knotspan {
 
@@ -20,7 +21,14 @@ struct Resident {
     std::uint32_t firstKsquad = 0;
     std::uint32_t firstBorder = 0;
     std::uint32_t firstFacingWord = 0;  // of the rays of its KSQuads (facing_forms.h)
+    SharedTrim trim;                    // null: it has no trim loops
 };
+
+// Whether there is less of it than the surface.
+[[nodiscard]] inline bool isTrimmed(const Resident& resident)
+{
+    return resident.trim && resident.trim->index;
+}
 
 [[nodiscard]] const Resident* findResident(const std::vector<Resident>& residents,
                                            ObjectId id);  // null: none
@@ -34,8 +42,9 @@ struct KsQuadName {
 [[nodiscard]] std::optional<std::uint32_t> ksquadNumber(const std::vector<Resident>& residents,
                                                         const KsQuadName& name);  // nothing: no such one
 
-// Same records, knots and number of points: only coordinates, weights, colour and transform may differ.
-[[nodiscard]] bool isSameShape(const NurbsSurface& a, const NurbsSurface& b);
+// Same records, knots, number of points and trim loops: only coordinates, weights, colour and transform may
+// differ.
+[[nodiscard]] bool isSameShape(const SceneObject& a, const SceneObject& b);
 [[nodiscard]] PlacedSurface placedSurface(const SceneObject& object);
 [[nodiscard]] std::vector<PlacedSurface> placedSurfaces(const std::vector<Resident>& residents);
 
@@ -59,7 +68,12 @@ struct PackedScene {
     std::vector<glm::vec<4, Real>> points;
     PackedTables<Real> tables;
 };
-[[nodiscard]] std::vector<Resident> makeResidents(const VisibleObjects& objects);
+// Trims are taken over from those of `before` that are of the same shape.
+[[nodiscard]] std::vector<Resident> makeResidents(const VisibleObjects& objects,
+                                                  const std::vector<Resident>& before = {});
+// As shaders/shared/trimming.glsl reads them: a word for each KSQuad of all surfaces, then the records. None
+// where no surface is trimmed.
+[[nodiscard]] std::vector<std::uint32_t> packTrims(const std::vector<Resident>& residents);
 [[nodiscard]] gpu::SurfaceRecord surfaceRecordOf(const Resident& resident);
 template <class Real>
 [[nodiscard]] PackedScene<Real> packScene(std::vector<Resident> residents, Evaluator evaluator);

@@ -64,7 +64,10 @@ void ShownSides::makeTables(const std::vector<Resident>& residents)
     tables_.revision = revision + 1;
     told_.clear();
     firsts_.assign(shells_.count(), kNone);
+    open_.assign(shells_.count(), false);
     for (std::uint32_t k = 0; k < residents.size(); ++k) {
+        if (isTrimmed(residents[k]))
+            open_[shells_.shellOf(k)] = true;
         told_.push_back(residents[k].object->sides);
         if (told_[k] != Sides::automatic)
             continue;
@@ -85,7 +88,7 @@ void ShownSides::showFrom(const View& view, std::uint32_t shell)
     if (first == kNone)
         return;
     const bool outside =
-        shells_.isClosed(shell) && shells_.side(first) != 0 &&
+        shells_.isClosed(shell) && !open_[shell] && shells_.side(first) != 0 &&
         (view.camera.orthographic ? shells_.isOutsideAlong(shell, view.camera.forward(), view.cutOff)
                                   : shells_.isOutside(shell, view.camera.eye, view.cutOff));
     if (const std::uint32_t shown = outside ? 1 : 0; shown != std::exchange(tables_.shown[first], shown))

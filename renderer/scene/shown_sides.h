@@ -52,6 +52,7 @@ private:
     std::optional<View> view_;  // that the tables are of
     std::uint64_t shellsSeen_ = 0;
     std::vector<Sides> told_;            // by surface
+    std::vector<bool> open_;             // by shell: through trimmed surfaces one sees the inside
     std::vector<std::uint32_t> firsts_;  // by shell: its first surface that was told nothing, or none
     SideTables tables_;
 };

@@ -135,6 +135,8 @@ const std::vector<StatField>& statFields()
         {"width", "Width", "px", [](const FrameStats& s) -> StatValue { return std::uint64_t(s.width); }},
         {"height", "Height", "px", [](const FrameStats& s) -> StatValue { return std::uint64_t(s.height); }},
         KNOTSPAN_FIELD("surfaces", "Surfaces", "", surfaces),
+        KNOTSPAN_FIELD("surfaces_trimmed", "of those trimmed", "", surfacesTrimmed),
+        KNOTSPAN_FIELD("drawn_whole", "Drawn whole", "", drawnWhole),
         KNOTSPAN_FIELD("ksquads", "KSQuads", "", ksquads),
         KNOTSPAN_FIELD("ksquads_drawn", "KSQuads drawn", "", ksquadsDrawn),
         KNOTSPAN_FIELD("ksquads_culled", "KSQuads culled", "", ksquadsCulled),

@@ -31,6 +31,8 @@ struct FrameStats {
     int width = 0;
     int height = 0;
     std::uint64_t surfaces = 0;
+    std::uint64_t surfacesTrimmed = 0;      // of which trim loops leave a part
+    std::optional<std::string> drawnWhole;  // whose trim loops cannot be followed, and why; a sentence
     std::uint64_t ksquads = 0;
     std::uint64_t ksquadsDrawn = 0;
     std::array<std::uint64_t, kCullModeCount> ksquadsCulled{};  // by the first mode that said so
@@ -62,7 +64,7 @@ struct FrameStats {
     // How far the picture is from the exact surfaces; only of frames that measure it (Shading::error).
     std::optional<double> errorPxMax;
     std::optional<double> errorPxMean;
-    std::optional<std::uint64_t> errorPixelsLost;  // measured by their place alone (surface_error.frag)
+    std::optional<std::uint64_t> errorPixelsLost;  // measured by their place alone (error_surface.glsl)
     std::optional<double> errorBoundPx;  // what the sampling rule promised, where it promises anything
     // What the ends of the ramp stand for, of shadings that show numbers: curvature, degrees of draft,
     // deviation.

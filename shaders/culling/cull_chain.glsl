@@ -18,6 +18,12 @@ layout(set = 0, binding = BINDING_FACING_RAYS, scalar) readonly buffer RayBuffer
 layout(set = 0, binding = BINDING_FACING, scalar) readonly buffer FacingBuffer { FacingRecord facing[]; };
 #include "sqc.glsl"
 
+layout(set = 0, binding = BINDING_TRIM_WORDS, scalar) readonly buffer TrimBuffer { uint trimWords[]; };
+#include "../shared/trimming.glsl"
+// Above TRIM_OUTSIDE it is another one for each point.
+uint trimVerdict(uint ksquad) { return (frame.flags & FRAME_TRIMMED) == 0u ? TRIM_INSIDE : trimWords[ksquad]; }
+#include "trimmed.glsl"
+
 #define NOT_CULLED (-1)
 
 // The bit of the first mode among these that says so, or NOT_CULLED.

@@ -48,7 +48,8 @@
 #define BINDING_SPAN_PLACES 43       // where spans of surfaces lie along their parameters, or along their iso-curves
 #define BINDING_SPACE_LINES 44       // straight lines in the model
 #define BINDING_DEVIATIONS 45        // for each KSQuad, a grid of its distances from a reference
-#define BINDING_COUNT 46
+#define BINDING_TRIM_WORDS 46        // what trim loops leave of each KSQuad (trimming.glsl)
+#define BINDING_COUNT 47
 
 // Specialization constants.
 #define KNOTSPAN_LINES_CONSTANT 0      // of the overlays: lines, not points

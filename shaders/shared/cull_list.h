@@ -24,9 +24,11 @@
     MODE(6, occlusion, culledByOcclusion, true, true, 0xcc79a7u,                                   \
          "Drops KSQuads that lie behind what the picture already shows")                           \
     MODE(7, evs, culledByEvs, true, false, 0xbbbbbbu,                                              \
-         "Exact visible set: drops triangles that face away or lie outside, where a stage makes them")
+         "Exact visible set: drops triangles that face away or lie outside, where a stage makes them") \
+    MODE(8, trimmed, culledByTrimmed, true, true, 0x000000u,                                       \
+         "Drops KSQuads that trim loops leave nothing of")
 
-#define KNOTSPAN_CULL_MODE_COUNT 8
+#define KNOTSPAN_CULL_MODE_COUNT 9
 #define CULL_OCCLUSION 6
 #define CULL_BY_HULL (8u | 16u)  // bits of the modes that look at where the control points are in the picture
 #define CULL_BY_BOX 4u           // and of those that look at which way it faces

@@ -50,6 +50,7 @@
 #define KNOTSPAN_BORDER_USE(index) source.borderUse(index)
 #define KNOTSPAN_FACING_WORD(index) source.facingWord(index)
 #define KNOTSPAN_FACING_BOX(index) source.facingBox(index)
+#define KNOTSPAN_TRIM_VERDICT(index) source.trimVerdict(index)
 #define KNOTSPAN_OVERSAMPLES(flags) false
 #define KNOTSPAN_OF_REAL <Real>
 #define KNOTSPAN_OF_SOURCE <Source>
@@ -102,6 +103,7 @@ using glm::vec4;
 #define KNOTSPAN_BORDER_USE(index) borderUses[index]
 #define KNOTSPAN_FACING_WORD(index) facingWords[index]
 #define KNOTSPAN_FACING_BOX(index) facingBoxOf(facing[index])
+#define KNOTSPAN_TRIM_VERDICT(index) trimVerdict(index)
 #define KNOTSPAN_OVERSAMPLES(flagsOfBorder) \
     ((frame.flags & (((flagsOfBorder) & BORDER_FRIEND) == 0u ? FRAME_OVERSAMPLE_STRANGERS : FRAME_OVERSAMPLE_FRIENDS)) != 0u)
 #define KNOTSPAN_OF_REAL

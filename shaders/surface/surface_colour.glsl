@@ -21,19 +21,20 @@ PixelPlace pixelPlace(vec2 t)
                       t - before);
 }
 
-// How much of a line of about 1.5 pixels along the KSQuad's border covers this pixel.
-float knotLine(vec2 t)
+// How much of a line of about 1.5 pixels along the KSQuad's border covers this pixel. `perPixel` is how t changes from
+// pixel to pixel, taken before pixels are discarded.
+float knotLine(vec2 t, vec2 perPixel)
 {
-    vec2 pixels = min(t, 1.0 - t) / max(frame.handPx * fwidth(inT), vec2(1e-9));
+    vec2 pixels = min(t, 1.0 - t) / max(frame.handPx * perPixel, vec2(1e-9));
     return 1.0 - smoothstep(0.4, 1.3, min(pixels.x, pixels.y));
 }
 
 // The same of thinner lines that cut the KSQuad into frame.isoCurves parts each way; of lines too close to be told
 // apart there are none.
-float isoCurve(vec2 t)
+float isoCurve(vec2 t, vec2 changes)
 {
     float parts = float(frame.isoCurves);
-    vec2 perPixel = max(frame.handPx * fwidth(inT), vec2(1e-9));
+    vec2 perPixel = max(frame.handPx * changes, vec2(1e-9));
     vec2 pixels = abs(t - clamp(round(t * parts), 1.0, parts - 1.0) / parts) / perPixel;
     vec2 covered = (1.0 - smoothstep(0.1, 0.9, pixels)) * smoothstep(2.0, 5.0, 1.0 / (parts * perPixel));
     return max(covered.x, covered.y);

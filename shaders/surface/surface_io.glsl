@@ -1,4 +1,4 @@
-// What every path hands to surface.frag, written once: the mesh stage says SURFACE_OUT([]), others
+// What every path hands to the fragment stages, written once: the mesh stage says SURFACE_OUT([]), others
 // SURFACE_OUT(ONE_VERTEX).
 #ifndef KNOTSPAN_SURFACE_IO_GLSL
 #define KNOTSPAN_SURFACE_IO_GLSL

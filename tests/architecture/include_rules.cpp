@@ -161,8 +161,12 @@ std::vector<FolderRule> makeRules()
     const Folders geometry{"model/core", "shaders/shared"};
     const Folders values = geometry + Folders{"model/geometry"};
     const Folders scene = values + Folders{"model/analysis", "model/friends", "model/scene"};
-    const Folders drawing = scene + Folders{"renderer/vulkan", "renderer/scene", "renderer/frame.h",
-                                            "renderer/culling/cull_modes.h", "renderer/paths/path_list.h"};
+    const Folders drawing = scene + Folders{"model/trimming",
+                                            "renderer/vulkan",
+                                            "renderer/scene",
+                                            "renderer/frame.h",
+                                            "renderer/culling/cull_modes.h",
+                                            "renderer/paths/path_list.h"};
     const Folders window{"model",
                          "renderer/renderer.h",
                          "renderer/swapchain.h",
@@ -209,7 +213,7 @@ std::vector<FolderRule> makeRules()
          .qt = true},
         {.folder = "renderer/vulkan", .mayInclude = scene + Folders{"shaders/spirv.h"}, .vulkan = true},
         {.folder = "renderer/scene",
-         .mayInclude = scene + Folders{"renderer/vulkan", "shaders/culling"},
+         .mayInclude = scene + Folders{"model/trimming", "renderer/vulkan", "shaders/culling"},
          .vulkan = true},
         {.folder = "renderer/culling", .mayInclude = drawing, .vulkan = true},
         {.folder = "renderer/sampling", .mayInclude = drawing, .vulkan = true},

@@ -31,5 +31,18 @@ TEST(ClosedModel, LosesThatWithOneOfItsSurfaces)
     EXPECT_FALSE(isClosedModel(scene));
 }
 
+TEST(ClosedModel, IsNoneWithATrimmedSurface)
+{
+    Scene scene = findSample("sphere")->make();
+    const ObjectId id = scene.objects().begin()->first;
+    SceneObject trimmed = *scene.find(id);
+    std::vector<TrimPoint> points;
+    for (const Vec2 at : {Vec2(1, 1), Vec2(1, 2), Vec2(2, 2), Vec2(1, 1)})
+        points.push_back({at, 1});
+    trimmed.trimLoops = {{false, {TrimCurve::create(KnotVector::clampedUniform(1, 3), points).value()}}};
+    scene.exchange(id, std::make_shared<const SceneObject>(trimmed));
+    EXPECT_FALSE(isClosedModel(scene));
+}
+
 }  // namespace
 }  // namespace knotspan
