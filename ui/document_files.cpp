@@ -77,7 +77,7 @@ void DocumentFiles::reload()
     if (document_.source().empty() || isRefusedWhileReading())
         return;
     messages_.dismiss();
-    start({.files = {document_.source()}, .reloads = true, .trimmedBefore = trimmedFaces()});
+    start({.files = {document_.source()}, .reloads = true});
 }
 
 void DocumentFiles::offerReload(const QString& path)
@@ -135,7 +135,7 @@ void DocumentFiles::askAndAdd()
     if (files.empty())
         return;
     messages_.dismiss();
-    start({.files = files, .trimmedBefore = trimmedFaces(), .sceneBefore = document_.scene()});
+    start({.files = files, .sceneBefore = document_.scene()});
 }
 
 bool DocumentFiles::save()

@@ -62,8 +62,7 @@ private:
         bool opens = false;    // the first replaces the document
         bool reloads = false;  // the only one is the document's own, anew
         size_t next = 0;
-        std::ptrdiff_t trimmedBefore = 0;  // how many trimmed faces the user knows of
-        Scene sceneBefore;                 // whose loss was agreed to
+        Scene sceneBefore;  // whose loss was agreed to
         QStringList wrong;
         QStringList notes;
     };
@@ -78,7 +77,6 @@ private:
     void offerReload(const QString& path);
     [[nodiscard]] bool takeFirst(const std::filesystem::path& path, Result<formats::Import>& import);
     void finish();
-    [[nodiscard]] std::ptrdiff_t trimmedFaces() const;
     void report(const Error& error);
 
     QWidget& window_;

@@ -1,5 +1,4 @@
 // The half of DocumentFiles that reads: one file after the other, at once or beside the window.
-#include <algorithm>
 
 #include <QGuiApplication>
 
@@ -131,21 +130,11 @@ bool DocumentFiles::takeFirst(const fs::path& path, Result<formats::Import>& imp
     return true;
 }
 
-std::ptrdiff_t DocumentFiles::trimmedFaces() const
-{
-    const auto& objects = document_.scene().objects();
-    return std::count_if(objects.begin(), objects.end(),
-                         [](const auto& entry) { return !entry.second->trimLoops.empty(); });
-}
-
 void DocumentFiles::finish()
 {
     const Job job = std::move(*job_);
     job_.reset();
-    QStringList lines = job.wrong + job.notes;  // at the end: a file that works would clear the message
-    if (trimmedFaces() > job.trimmedBefore)
-        lines << tr("Trimmed faces are shown whole: this version keeps their trim loops but does not draw "
-                    "them yet.");
+    const QStringList lines = job.wrong + job.notes;  // at the end: a file that works would clear the message
     if (!job.wrong.isEmpty())
         messages_.say(lines.join('\n'));
     else if (!lines.isEmpty())

@@ -64,34 +64,16 @@ TEST(MainWindow, WhatWentWrongIsPastOnceTheDocumentChangesOrIsSaved)
     EXPECT_EQ(window.message(), QString());
 }
 
-TEST(MainWindow, SaysThatTrimmedFacesAreShownWhole)
+TEST(MainWindow, ShowsTrimmedFacesWithoutAWord)
 {
     const TemporaryFolder folder;
     const std::filesystem::path trimmed = trimmedFile(folder);
     Answers answers;
     MainWindow window(answering(answers));
-    window.files().open({sampleFile(folder, "nine-16")});
-    EXPECT_EQ(window.message(), QString());
     window.files().open({trimmed});
-    EXPECT_TRUE(window.message().startsWith("Trimmed faces are shown whole"))
-        << window.message().toStdString();
-    window.action("edit.selectAll")->trigger();
-    window.action("edit.delete")->trigger();
-    EXPECT_FALSE(window.message().isEmpty());  // nothing went wrong, so nothing is put right
-    window.files().openSample("nine-16");
     EXPECT_EQ(window.message(), QString());
-
-    answers.filesToOpen = {QString::fromStdString(trimmed.string())};
-    window.files().askAndAdd();
-    EXPECT_TRUE(window.message().startsWith("Trimmed faces are shown whole"))
-        << window.message().toStdString();
-    answers.filesToOpen = {QString::fromStdString(sampleFile(folder, "single-100").string())};
-    window.files().askAndAdd();
-    EXPECT_EQ(window.message(), QString());  // said already
-    window.document().undoStack().setClean();
     window.files().open({trimmed, folder / "absent.knotspan"});
     EXPECT_TRUE(window.message().contains("absent.knotspan"));
-    EXPECT_TRUE(window.message().contains("Trimmed faces are shown whole"));
 }
 
 TEST(MainWindow, SaysThatMeshesAreNotInAFileOfSurfaces)
