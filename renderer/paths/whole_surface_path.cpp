@@ -74,11 +74,14 @@ public:
         record.tileSide = level();
         record.flags |= FRAME_SPANS;
         auto numbers = spanNumbers(residents);
-        if (numbers == numbers_)
+        const bool isHeld = numbers == numbers_;
+        if (!isHeld)
+            frame.uploader.forget(spanBuffer_);
+        // Another variant's may stand there now.
+        bindings_.provide(BINDING_SURFACE_SPANS, spanBuffer_, numbers.size() * sizeof(std::uint32_t));
+        if (isHeld)
             return;
         numbers_ = std::move(numbers);
-        frame.uploader.forget(spanBuffer_);
-        bindings_.provide(BINDING_SURFACE_SPANS, spanBuffer_, numbers_.size() * sizeof(std::uint32_t));
         frame.uploader.write(spanBuffer_, 0, std::span<const std::uint32_t>(numbers_));
     }
     void forget() override { numbers_.clear(); }

@@ -75,7 +75,8 @@ CpuScene::Changes CpuScene::update(const std::vector<Resident>& residents, const
     }
     bool anyReplaced = false;
     for (size_t k = 0; k < held.size(); ++k)
-        if (held[k].object != residents[k].object) {
+        // Packed anew without a change, it counts from another origin.
+        if (held[k].object != residents[k].object || !isSameFrame(held[k].frame, residents[k].frame)) {
             replace(held[k], residents[k], changes);
             anyReplaced = true;
         }
