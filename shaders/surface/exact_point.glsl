@@ -3,6 +3,8 @@
 // Nothing here or in looks.glsl takes differences between pixels: at a triangle's edge the pixels beside it are of no use
 // (the software driver does not run loops for them), and derivatives of the surface say it exactly.
 
+#include "pixel_aim.glsl"
+
 // In eye-relative view space.
 struct ExactPoint {
     PixelPlace place;
@@ -24,29 +26,6 @@ BentSample bentSample(KsQuadRecord ksquad, vec2 t)
     int degreeV = int(surfaces[surface].degreeV);
     return contractBentNet(ksquad.firstPoint, surfaces[surface].stride, degreeU, degreeV,
                            evaluateBentBasis(ksquad.spanU, degreeU, t.x), evaluateBentBasis(ksquad.spanV, degreeV, t.y));
-}
-
-// How far a point falls from this pixel's centre, and the changes of t that take it a pixel along x and along y, to first
-// order.
-struct Aim {
-    vec2 missed;  // pixels
-    vec2 along[2];
-};
-
-Aim aimOf(vec3 position, vec3 du, vec3 dv)
-{
-    vec4 clip = toClip(position);
-    vec4 clipU = frame.projection * vec4(du, 0.0);
-    vec4 clipV = frame.projection * vec4(dv, 0.0);
-    vec2 halfSize = 0.5 * frame.pixels;
-    vec2 place = clip.xy / clip.w;
-    vec2 byU = halfSize * (clipU.xy - clipU.w * place) / clip.w;
-    vec2 byV = halfSize * (clipV.xy - clipV.w * place) / clip.w;
-    float area = byU.x * byV.y - byU.y * byV.x;
-    // Seen edge-on a pixel is a long way.
-    float least = 1e-6 * length(byU) * length(byV);
-    area = abs(area) > least ? area : (area < 0.0 ? -least : least);
-    return Aim(gl_FragCoord.xy - halfSize * (place + 1.0), vec2[2](vec2(byV.y, -byU.y) / area, vec2(-byV.x, byU.x) / area));
 }
 
 // Derivatives of the point by t, in view space.
@@ -101,20 +80,6 @@ void slope(inout ExactPoint at, Derivatives by, Aim aim)
         vec3 turning = side * (alongU * step.x + alongV * step.y) / length(product);
         at.normalAlong[k] = turning - at.normal * dot(at.normal, turning);
     }
-}
-
-// On the whole surface parameters may leave its domain by this much: it goes on smoothly.
-const float kBeyond = 0.05;
-
-PixelPlace stepped(uint surface, PixelPlace place, vec2 change)
-{
-    uint first = surfaces[surface].firstKsquad;
-    uint spansV = surfaces[surface].spansV;
-    vec2 spans = vec2(surfaces[surface].spansU, spansV);
-    vec2 before = vec2((place.ksquad - first) / spansV, (place.ksquad - first) % spansV);
-    vec2 at = clamp(before + place.t + change, vec2(-kBeyond), spans + kBeyond);
-    vec2 now = clamp(floor(at), vec2(0.0), spans - 1.0);
-    return PixelPlace(first + uint(now.x) * spansV + uint(now.y), at - now);
 }
 
 // By Newton's method from the triangle's parameters, which belong to a point beside the pixel, for the triangle lies beside

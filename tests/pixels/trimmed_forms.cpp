@@ -11,8 +11,6 @@ namespace knotspan::testing {
 
 namespace {
 
-constexpr Disc kWindow{{6.4, 0.5}, 0.35};  // of the pipe's parameters
-
 std::vector<double> halves(int count)
 {
     std::vector<double> places;

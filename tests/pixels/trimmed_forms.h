@@ -23,8 +23,9 @@ constexpr Disc kHole{{2.25, 1.75}, 0.6};
 // All places of the whole surface that a ray meets, nearest first.
 [[nodiscard]] std::vector<Vec3> metOnPlane(const Ray& ray);
 
-// A cylinder around z of radius 1 and height 2, of rational arcs of 45 degrees, with a hole that is round in
-// its parameters.
+// A cylinder around z of radius 1 and height 2, of eight rational arcs, with a hole that is round in its
+// parameters.
+constexpr Disc kWindow{{6.4, 0.5}, 0.35};
 [[nodiscard]] SceneObject pipe();
 [[nodiscard]] bool onPipe(const Vec3& place);
 [[nodiscard]] std::vector<Vec3> metOnPipe(const Ray& ray);

@@ -2,6 +2,7 @@
 // picked there, and that nothing else changes.
 #include <algorithm>
 
+#include "model/geometry/knot_insertion.h"
 #include "model/samples/sample_list.h"
 #include "model/scene/control_point_editing.h"
 #include "shaders/shared/cull_list.h"
@@ -102,6 +103,42 @@ TEST_P(TrimmedPictures, ShowARationalSurfaceWhereItsLoopsLeaveIt)
     frame.camera.eye = {3, -4, 0.8};
     frame.camera.target = {0, 0, 0};
     expectShown(scene, frame, layers(metOnPipe, onPipe));
+}
+
+// A pipe and what was cut out of it, cut into other triangles.
+TEST_P(TrimmedPictures, LeaveNoPixelBetweenTwoThatMeetAlongALoop)
+{
+    const Scene whole = sceneOf([] {
+        SceneObject object = pipe();
+        object.trimLoops.clear();
+        return object;
+    }());
+    Scene parts = sceneOf(pipe());
+    SceneObject lid = pipe();
+    lid.surface = withKnotsInserted(lid.surface, Direction::U, {6.3, 6.62});
+    lid.trimLoops = {{true, {circle(kWindow.centre, kWindow.radius)}}};
+    parts.add(lid);
+    Frame frame = frameFor(whole);
+    frame.width = 3 * kWidth;
+    frame.height = 3 * kHeight;
+    frame.camera.eye = {2.4, -2.6, 0.8};
+    frame.camera.target = {0.5, -0.5, 0};
+    frame.tolerancePx = 1.5;
+    (void)drawn(*renderer, whole, frame);
+    const KsQuadIndices wanted = renderer->captureKsQuads().value();
+    const Drawn met = drawn(*renderer, parts, frame);
+    EXPECT_EQ(met.stats.surfacesTrimmed, 2U);
+    const KsQuadIndices shown = renderer->captureKsQuads().value();
+    // The pipe's arcs come first in both scenes. Between pipe and lid one would see those behind.
+    size_t ofLid = 0;
+    size_t between = 0;
+    for (size_t k = 0; k < shown.indices.size(); ++k) {
+        const bool inFront = wanted.indices[k] >= 6;
+        ofLid += shown.indices[k] > 8 ? 1 : 0;
+        between += inFront && shown.indices[k] < 6 ? 1 : 0;
+    }
+    EXPECT_GT(ofLid, 2000U);
+    EXPECT_EQ(between, 0U);
 }
 
 TEST_P(TrimmedPictures, LetPicksThroughTheirHoles)

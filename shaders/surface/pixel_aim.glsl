@@ -1,0 +1,42 @@
+// Newton's method on the screen: from a place of the surface to the one that this pixel's centre shows.
+#ifndef KNOTSPAN_PIXEL_AIM_GLSL
+#define KNOTSPAN_PIXEL_AIM_GLSL
+
+// How far a point falls from this pixel's centre, and the changes of t that take it a pixel along x and along y, to first
+// order.
+struct Aim {
+    vec2 missed;  // pixels
+    vec2 along[2];
+};
+
+Aim aimOf(vec3 position, vec3 du, vec3 dv)
+{
+    vec4 clip = toClip(position);
+    vec4 clipU = frame.projection * vec4(du, 0.0);
+    vec4 clipV = frame.projection * vec4(dv, 0.0);
+    vec2 halfSize = 0.5 * frame.pixels;
+    vec2 place = clip.xy / clip.w;
+    vec2 byU = halfSize * (clipU.xy - clipU.w * place) / clip.w;
+    vec2 byV = halfSize * (clipV.xy - clipV.w * place) / clip.w;
+    float area = byU.x * byV.y - byU.y * byV.x;
+    // Seen edge-on a pixel is a long way.
+    float least = 1e-6 * length(byU) * length(byV);
+    area = abs(area) > least ? area : (area < 0.0 ? -least : least);
+    return Aim(gl_FragCoord.xy - halfSize * (place + 1.0), vec2[2](vec2(byV.y, -byU.y) / area, vec2(-byV.x, byU.x) / area));
+}
+
+// On the whole surface parameters may leave its domain by this much: it goes on smoothly.
+const float kBeyond = 0.05;
+
+PixelPlace stepped(uint surface, PixelPlace place, vec2 change)
+{
+    uint first = surfaces[surface].firstKsquad;
+    uint spansV = surfaces[surface].spansV;
+    vec2 spans = vec2(surfaces[surface].spansU, spansV);
+    vec2 before = vec2((place.ksquad - first) / spansV, (place.ksquad - first) % spansV);
+    vec2 at = clamp(before + place.t + change, vec2(-kBeyond), spans + kBeyond);
+    vec2 now = clamp(floor(at), vec2(0.0), spans - 1.0);
+    return PixelPlace(first + uint(now.x) * spansV + uint(now.y), at - now);
+}
+
+#endif
