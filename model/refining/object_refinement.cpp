@@ -1,6 +1,8 @@
 #include "model/refining/object_refinement.h"
 
 #include "model/geometry/orientation.h"
+#include "model/refining/directions.h"
+#include "model/trimming/loop_clipping.h"
 
 namespace knotspan {
 
@@ -38,17 +40,33 @@ RefinedObject turned(const SceneObject& object, NurbsSurface surface, const Turn
     return result;
 }
 
+// Of a part of the object's surface, which has the same parameters.
+Result<SceneObject> partOf(const SceneObject& object, NurbsSurface part, Direction direction)
+{
+    const KnotVector& knots = knotsOf(part, direction);
+    auto loops = loopsBetween(object.trimLoops, object.surface, direction == Direction::U ? 0 : 1,
+                              knots.domainStart(), knots.domainEnd());
+    if (!loops)
+        return tl::unexpected(loops.error());
+    if (!*loops)
+        return failure("Nothing is left of the trimmed surface on one side of that cut",
+                       "Choose a parameter that goes through what shows of it");
+    SceneObject result = object;
+    result.surface = std::move(part);
+    result.trimLoops = std::move(**loops);
+    return result;
+}
+
 Result<RefinedObject> split(const SceneObject& object, const RefinementRequest& request)
 {
-    if (!object.trimLoops.empty())
-        return failure("A trimmed surface cannot be split yet", "Split a surface that is not trimmed");
     auto parts = splitAt(object.surface, request.direction, request.parameter);
     if (!parts)
         return tl::unexpected(parts.error());
-    RefinedObject result = withSurface(object, std::move(parts->first));
-    result.other = object;
-    result.other->surface = std::move(parts->second);
-    return result;
+    auto first = partOf(object, std::move(parts->first), request.direction);
+    auto second = partOf(object, std::move(parts->second), request.direction);
+    if (!first || !second)
+        return tl::unexpected((first ? second : first).error());
+    return RefinedObject{*std::move(first), *std::move(second), {}};
 }
 
 Result<Refinement> refinedSurface(const NurbsSurface& surface, const RefinementRequest& request)

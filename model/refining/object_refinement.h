@@ -33,7 +33,9 @@ struct RefinedObject {
     Deviation deviation;               // in the object's own units; 0 where the shape cannot change
 };
 
-// Fails, with a sentence, as the functions of refinements.h do, and where a trimmed surface is to be split.
+// Fails, with a sentence, as the functions of refinements.h do, and where a trimmed surface is to be split
+// beside what its loops leave, or has loops that cannot be followed. Each part of a split gets its part of
+// the loops.
 [[nodiscard]] Result<RefinedObject> refined(const SceneObject& object, const RefinementRequest& request);
 
 }  // namespace knotspan

@@ -7,6 +7,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "model/trimming/loop_chains.h"
+
 namespace knotspan {
 
 namespace {
@@ -35,22 +37,6 @@ std::string percent(double share)
     char text[32];
     std::snprintf(text, sizeof text, "%.2g %%", 100 * share);
     return text;
-}
-
-double signedArea(const LoopChain& chain)
-{
-    constexpr int kSamples = 16;
-    std::vector<Vec2> polygon;
-    for (const LoopArc& part : chain)
-        for (int k = 0; k < (part.arc.points.size() == 2 ? 1 : kSamples); ++k)
-            polygon.push_back(placeOf(part.arc.points, static_cast<double>(k) / kSamples));
-    double area = 0;
-    for (size_t k = 0; k < polygon.size(); ++k) {
-        const Vec2 a = polygon[k] - polygon[0];
-        const Vec2 b = polygon[(k + 1) % polygon.size()] - polygon[0];
-        area += (a.x * b.y - a.y * b.x) / 2;
-    }
-    return area;
 }
 
 class Reading {

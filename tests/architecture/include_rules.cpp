@@ -189,7 +189,7 @@ std::vector<FolderRule> makeRules()
         {.folder = "model/trimming", .mayInclude = values},
         {.folder = "model/matching", .mayInclude = scene},
         {.folder = "model/making", .mayInclude = values + Folders{"model/scene"}},
-        {.folder = "model/refining", .mayInclude = values + Folders{"model/scene"}},
+        {.folder = "model/refining", .mayInclude = values + Folders{"model/scene", "model/trimming"}},
         {.folder = "model/friends", .mayInclude = values + Folders{"model/analysis", "model/scene"}},
         {.folder = "model/scene", .mayInclude = values},
         {.folder = "model/sculpting", .mayInclude = values + Folders{"model/scene"}},
