@@ -10,7 +10,9 @@
 #include "app/commands.h"
 #include "app/output.h"
 #include "model/analysis/surface_bounds.h"
+#include "model/analysis/trimmed_area.h"
 #include "model/geometry/ksquad.h"
+#include "model/trimming/loop_crossings.h"
 
 namespace knotspan::app {
 namespace {
@@ -20,6 +22,7 @@ using Json = nlohmann::ordered_json;
 struct Options {
     std::string file;
     bool json = false;
+    bool area = false;
 };
 
 // What the surfaces take on the GPU as they are, and what they would take cut into Bezier patches.
@@ -57,20 +60,45 @@ Box boundsOf(const Scene& scene)
     return box;
 }
 
-Json describe(const SceneObject& object, size_t id)
+Area areaOf(const SceneObject& object)
+{
+    return trimmedArea(object.surface, object.trimLoops, object.transform);
+}
+
+// What was wrong with its trim loops.
+std::vector<std::string> loopNotesOf(const SceneObject& object)
+{
+    const TrimRegion region(object.trimLoops, object.surface);
+    std::vector<std::string> notes = region.report();
+    for (const std::string& crossing : crossingsOf(region))
+        notes.push_back(crossing);
+    return notes;
+}
+
+Json describe(const SceneObject& object, size_t id, bool withArea)
 {
     const NurbsSurface& surface = object.surface;
-    return {{"id", id},
-            {"name", object.name},
-            {"degree_u", surface.degreeU()},
-            {"degree_v", surface.degreeV()},
-            {"control_points_u", surface.countU()},
-            {"control_points_v", surface.countV()},
-            {"rational", surface.isRational()},
-            {"closed_u", surface.isClosedU()},
-            {"closed_v", surface.isClosedV()},
-            {"trimmed", !object.trimLoops.empty()},
-            {"ksquads", ksQuadCount(surface)}};
+    Json json = {{"id", id},
+                 {"name", object.name},
+                 {"degree_u", surface.degreeU()},
+                 {"degree_v", surface.degreeV()},
+                 {"control_points_u", surface.countU()},
+                 {"control_points_v", surface.countV()},
+                 {"rational", surface.isRational()},
+                 {"closed_u", surface.isClosedU()},
+                 {"closed_v", surface.isClosedV()},
+                 {"trimmed", !object.trimLoops.empty()},
+                 {"ksquads", ksQuadCount(surface)}};
+    if (!object.trimLoops.empty()) {
+        json["trim_loops"] = object.trimLoops.size();
+        json["trim_notes"] = loopNotesOf(object);
+    }
+    if (withArea) {
+        const Area area = areaOf(object);
+        json["area"] = area.value;
+        json["area_error"] = area.error;
+    }
+    return json;
 }
 
 Json describe(const MeshObject& object, size_t id)
@@ -85,11 +113,11 @@ Json describe(const MeshObject& object, size_t id)
             {"closed", topology.isClosedManifold()}};
 }
 
-Json describe(const Scene& scene)
+Json describe(const Scene& scene, bool withArea)
 {
     Json surfaces = Json::array();
     for (const auto& [id, object] : scene.objects())
-        surfaces.push_back(describe(*object, surfaces.size()));
+        surfaces.push_back(describe(*object, surfaces.size(), withArea));
     Json bounds;  // null for an empty model
     if (const Box box = boundsOf(scene); !box.isEmpty())
         bounds = {{"low", {box.low.x, box.low.y, box.low.z}}, {"high", {box.high.x, box.high.y, box.high.z}}};
@@ -160,6 +188,20 @@ void printMeshes(const Scene& scene)
     }
 }
 
+void printArea(const Scene& scene)
+{
+    Area whole;
+    for (const auto& [id, object] : scene.objects()) {
+        const Area area = areaOf(*object);
+        whole.value += area.value;
+        whole.error += area.error;
+    }
+    char line[120];
+    std::snprintf(line, sizeof line, "area %.9g (off by %.1g at most, as estimated) %s^2\n", whole.value,
+                  whole.error, scene.units().c_str());
+    std::cout << line;
+}
+
 void printForPeople(const Scene& scene)
 {
     const Box box = boundsOf(scene);
@@ -197,13 +239,15 @@ int run(const Options& options)
     if (!import)
         return failed(import.error());
     if (options.json) {
-        Json json = describe(import->scene);
+        Json json = describe(import->scene, options.area);
         if (import->report.faces > 0)
             json["import"] = describe(import->report);
         std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
         return kDone;
     }
     printForPeople(import->scene);
+    if (options.area)
+        printArea(import->scene);
     printForPeople(import->report);
     return kDone;
 }
@@ -216,6 +260,8 @@ void addInfoCommand(CLI::App& app, int& exitCode)
     CLI::App* command = app.add_subcommand("info", "Say what a model holds");
     addModel(*command, options->file);
     addJson(*command, options->json);
+    command->add_flag("--area", options->area,
+                      "Measure the surfaces, too: of trimmed ones what the loops leave");
     command->callback([options, &exitCode] { exitCode = run(*options); });
 }
 

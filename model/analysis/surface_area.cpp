@@ -8,63 +8,18 @@
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
+#include "model/analysis/gauss_rule.h"
 #include "model/geometry/grid_evaluation.h"
 
 namespace knotspan {
 
 namespace {
 
-constexpr int kCoarse = 5;
-constexpr int kFine = 8;
 constexpr double kAccuracy = 1e-10;  // of the whole area
 constexpr double kRounding = 1e-15;
 constexpr int kMostHalvings = 10;
 constexpr int kMostQuarterings = 20000;
 constexpr size_t kStripSamples = 60000;  // evaluated at once, so that memory stays small
-
-// Gauss's rule on [0, 1].
-struct Rule {
-    std::vector<double> places;
-    std::vector<double> weights;
-};
-
-// Roots of Legendre's polynomial by Newton's method from Chebyshev's (Abramowitz and Stegun, 25.4.29).
-Rule gauss(int count)
-{
-    Rule rule;
-    for (int k = 0; k < count; ++k) {
-        double x = std::cos(std::numbers::pi * (k + 0.75) / (count + 0.5));
-        double slope = 1;
-        for (int round = 0; round < 50; ++round) {
-            double before = 1;
-            double now = x;
-            for (int n = 2; n <= count; ++n) {
-                const double next = ((2 * n - 1) * x * now - (n - 1) * before) / n;
-                before = std::exchange(now, next);
-            }
-            slope = count * (x * now - before) / (x * x - 1);
-            const double step = now / slope;
-            x -= step;
-            if (std::abs(step) < 1e-16)
-                break;
-        }
-        rule.places.push_back(0.5 + 0.5 * x);
-        rule.weights.push_back(1 / ((1 - x * x) * slope * slope));
-    }
-    return rule;
-}
-
-const Rule& coarse()
-{
-    static const Rule kRule = gauss(kCoarse);
-    return kRule;
-}
-
-const Rule& fine()
-{
-    static const Rule kRule = gauss(kFine);
-    return kRule;
-}
 
 // A part of a KSQuad: a square of side `side` from `low` on, in its own t.
 struct Cell {
@@ -81,10 +36,12 @@ struct Sum {
 
 class Integration {
 public:
-    Integration(const NurbsSurface& surface, const Mat4& transform, const std::function<bool()>& isOff)
+    Integration(const NurbsSurface& surface, const Mat4& transform, const std::function<bool()>& isOff,
+                const KsQuadChoice& takes)
         : surface_(surface),
           linear_(transform),
           isOff_(isOff),
+          takes_(takes),
           evaluator_(surface, {.derivatives = 1})
     {
     }
@@ -93,7 +50,7 @@ public:
     {
         const std::vector<int>& spansU = surface_.knotsU().spans();
         const std::vector<int>& spansV = surface_.knotsV().spans();
-        const size_t perSpan = size_t{kFine} * kFine * spansV.size();
+        const size_t perSpan = fineGauss().places.size() * fineGauss().places.size() * spansV.size();
         const size_t strip = std::max<size_t>(1, kStripSamples / perSpan);
         for (size_t first = 0; first < spansU.size(); first += strip) {
             if (isOff_())
@@ -101,6 +58,10 @@ public:
             const std::span<const int> some(spansU.data() + first, std::min(strip, spansU.size() - first));
             addStrip(some, spansV);
         }
+        if (takes_)
+            for (size_t k = 0; k < sums_.size(); ++k)
+                if (!takes_(static_cast<int>(k / spansV.size()), static_cast<int>(k % spansV.size())))
+                    sums_[k] = {};
         double whole = 0;
         for (const Sum& sum : sums_)
             whole += sum.value;
@@ -120,8 +81,8 @@ public:
 private:
     [[nodiscard]] static Area off() { return {0, std::numeric_limits<double>::infinity()}; }
 
-    static std::vector<SpanParameter> parameters(std::span<const int> spans, const Rule& rule, double low,
-                                                 double side)
+    static std::vector<SpanParameter> parameters(std::span<const int> spans, const GaussRule& rule,
+                                                 double low, double side)
     {
         std::vector<SpanParameter> result;
         for (const int span : spans)
@@ -139,7 +100,7 @@ private:
 
     // By one rule, of each pair of spans; added to `sums` with `sign`.
     template <class Add>
-    void integrate(std::span<const int> spansU, std::span<const int> spansV, const Rule& rule, Vec2 low,
+    void integrate(std::span<const int> spansU, std::span<const int> spansV, const GaussRule& rule, Vec2 low,
                    double side, const Add& add)
     {
         evaluator_.evaluate(parameters(spansU, rule, low.x, side), parameters(spansV, rule, low.y, side),
@@ -162,10 +123,10 @@ private:
     {
         const size_t first = sums_.size();
         sums_.resize(first + spansU.size() * spansV.size());
-        integrate(spansU, spansV, fine(), Vec2(0), 1, [&](size_t k, double sum) {
+        integrate(spansU, spansV, fineGauss(), Vec2(0), 1, [&](size_t k, double sum) {
             sums_[first + k] = {sum, sum};
         });
-        integrate(spansU, spansV, coarse(), Vec2(0), 1,
+        integrate(spansU, spansV, coarseGauss(), Vec2(0), 1,
                   [&](size_t k, double sum) { sums_[first + k].difference -= sum; });
     }
 
@@ -174,8 +135,9 @@ private:
         Sum found;
         const std::span<const int> u(&cell.spanU, 1);
         const std::span<const int> v(&cell.spanV, 1);
-        integrate(u, v, fine(), cell.low, cell.side, [&](size_t, double sum) { found = {sum, sum}; });
-        integrate(u, v, coarse(), cell.low, cell.side, [&](size_t, double sum) { found.difference -= sum; });
+        integrate(u, v, fineGauss(), cell.low, cell.side, [&](size_t, double sum) { found = {sum, sum}; });
+        integrate(u, v, coarseGauss(), cell.low, cell.side,
+                  [&](size_t, double sum) { found.difference -= sum; });
         return found;
     }
 
@@ -198,6 +160,7 @@ private:
     const NurbsSurface& surface_;
     glm::dmat3 linear_;
     const std::function<bool()>& isOff_;
+    const KsQuadChoice& takes_;
     GridEvaluator<double> evaluator_;
     GridSamples<double> samples_;
     std::vector<Sum> sums_;  // of each KSQuad
@@ -207,9 +170,10 @@ private:
 
 }  // namespace
 
-Area surfaceArea(const NurbsSurface& surface, const Mat4& transform, const std::function<bool()>& isOff)
+Area surfaceArea(const NurbsSurface& surface, const Mat4& transform, const std::function<bool()>& isOff,
+                 const KsQuadChoice& takes)
 {
-    return Integration(surface, transform, isOff).run();
+    return Integration(surface, transform, isOff, takes).run();
 }
 
 double meshArea(const TriangleMesh& mesh, const Mat4& transform)

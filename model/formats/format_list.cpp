@@ -11,6 +11,7 @@
 #include "model/files/file_replacement.h"
 #include "model/formats/bpt_format.h"
 #include "model/formats/knotspan_format.h"
+#include "model/formats/loop_notes.h"
 #include "model/formats/obj_format.h"
 #include "model/mesh_files/mesh_formats.h"
 
@@ -141,9 +142,11 @@ Result<Import> readWithNotes(const fs::path& path, const ImportWatch& watch)
     const auto start = std::chrono::steady_clock::now();
     auto import =
         readUnnamed(path, watch).map_error([&](const Error& error) { return error.at(path.string()); });
-    if (import)
-        import->report.seconds =
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (!import)
+        return import;
+    for (std::string& note : loopNotes(import->scene))
+        import->notes.push_back(std::move(note));
+    import->report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return import;
 }
 

@@ -233,6 +233,14 @@ const TrimLoop* wholeLoop(const LoopChain& chain, const std::vector<TrimLoop>& l
 
 }  // namespace
 
+Error cannotFollow(const LoopReading& reading)
+{
+    const auto open = std::find_if(reading.findings.begin(), reading.findings.end(),
+                                   [](const auto& finding) { return finding.trouble == LoopTrouble::open; });
+    const std::string number = open == reading.findings.end() ? "" : " " + std::to_string(open->loop + 1);
+    return {"The trim loops cannot be followed: loop" + number + " is open", {}, "Untrim the surface first"};
+}
+
 std::vector<LoopChain> clipped(const std::vector<LoopChain>& chains, const HalfPlane& half, double nothing)
 {
     Clipping clipping(half, nothing);
@@ -298,8 +306,7 @@ Result<std::optional<std::vector<TrimLoop>>> loopsBetween(const std::vector<Trim
         return result;
     LoopReading reading = readLoops(loops, surface);
     if (reading.refused)
-        return failure("The trim loops cannot be followed: " + reading.report.front(),
-                       "Untrim the surface first");
+        return tl::unexpected(cannotFollow(reading));
     const double size = (highOf(surface) - lowOf(surface))[axis];
     const double nothing = kNothing * size;
     // Holes that the cut goes through need a border around them.

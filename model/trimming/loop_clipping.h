@@ -20,6 +20,9 @@ struct HalfPlane {
 [[nodiscard]] std::vector<LoopChain> clipped(const std::vector<LoopChain>& chains, const HalfPlane& half,
                                              double nothing);
 
+// Why nothing comes of loops that were refused.
+[[nodiscard]] Error cannotFollow(const LoopReading& reading);
+
 // The loops of the part of a surface that lies between `low` and `high` of a direction, both of its
 // domain. Nothing where the loops leave nothing of that part. Loops that lie inside it are
 // kept to the bit; what is inside is the same everywhere. Fails, with a sentence, where the loops cannot be

@@ -50,19 +50,19 @@ public:
 
     void add(const TrimLoop& loop, std::uint32_t number)
     {
-        name_ = "Trim loop " + std::to_string(number + 1);
+        loop_ = number;
         LoopChain chain = arcsOf(loop, number);
         if (chain.empty())
-            return say("has no curves and is left out");
+            return say(LoopTrouble::empty);
         bridgeGaps(chain);
         if (!close(chain, number))
             return;
         if (!wraps_) {
             const double area = signedArea(chain) / (size_.x * size_.y);
             if (std::abs(area) < 1e-12)
-                say("encloses nothing");
+                say(LoopTrouble::enclosesNothing);
             else if ((area > 0) != loop.outer)
-                say("runs the wrong way round, which does not matter for what it encloses");
+                say(LoopTrouble::wrongWay);
         }
         place(std::move(chain));
     }
@@ -77,12 +77,7 @@ public:
     }
 
 private:
-    void say(const std::string& what) { reading_.report.push_back(name_ + " " + what + "."); }
-    void refuse(const std::string& what)
-    {
-        say(what + "; the surface is drawn untrimmed");
-        reading_.refused = true;
-    }
+    void say(LoopTrouble trouble, double share = 0) { reading_.findings.push_back({loop_, trouble, share}); }
 
     static LoopChain arcsOf(const TrimLoop& loop, std::uint32_t number)
     {
@@ -130,11 +125,12 @@ private:
         }
         widest_ = std::max(widest_, shareOf(start - end));
         if (widest_ > kWidestGap) {
-            refuse("is open by " + percent(widest_) + " of the domain");
+            say(LoopTrouble::open, widest_);
+            reading_.refused = true;
             return false;
         }
         if (widest_ > kSilentGap)
-            say("had gaps of up to " + percent(widest_) + " of the domain, closed by lines");
+            say(LoopTrouble::gaps, widest_);
         if (start != end)
             chain.push_back(line(end, start, number));
         return true;
@@ -177,11 +173,10 @@ private:
             if (std::max(below, above) <= kSilentBeyond || (wraps_ && above >= 1 - kSilentBeyond))
                 continue;
             if (!closedAlong(axis)) {
-                say("reaches beyond the surface by " + percent(std::max(below, above)) +
-                    " of the domain and is cut off there");
+                say(LoopTrouble::beyond, std::max(below, above));
                 continue;
             }
-            say("crosses the seam and goes on at its other side");
+            say(LoopTrouble::acrossSeam);
             first[axis] = -std::min(kMostPeriods, std::ceil(std::max(0.0, above)));
             last[axis] = std::min(kMostPeriods, std::ceil(std::max(0.0, below)));
         }
@@ -199,13 +194,38 @@ private:
     Vec2 low_;
     Vec2 size_;
     LoopReading reading_;
-    std::string name_;
+    std::uint32_t loop_ = 0;
     double widest_ = 0;
     bool wraps_ = false;
     std::optional<std::pair<double, bool>> lowestWrap_;  // where, and whether the face lies below
 };
 
 }  // namespace
+
+std::string sentenceOf(const LoopFinding& finding)
+{
+    const auto what = [&]() -> std::string {
+        switch (finding.trouble) {
+        case LoopTrouble::empty:
+            return "has no curves and is left out";
+        case LoopTrouble::open:
+            return "is open by " + percent(finding.share) + " of the domain; the surface is drawn untrimmed";
+        case LoopTrouble::gaps:
+            return "had gaps of up to " + percent(finding.share) + " of the domain, closed by lines";
+        case LoopTrouble::enclosesNothing:
+            return "encloses nothing";
+        case LoopTrouble::wrongWay:
+            return "runs the wrong way round, which does not matter for what it encloses";
+        case LoopTrouble::beyond:
+            return "reaches beyond the surface by " + percent(finding.share) +
+                   " of the domain and is cut off there";
+        case LoopTrouble::acrossSeam:
+            return "crosses the seam and goes on at its other side";
+        }
+        return {};
+    };
+    return "Trim loop " + std::to_string(finding.loop + 1) + " " + what() + ".";
+}
 
 LoopReading readLoops(const std::vector<TrimLoop>& loops, const NurbsSurface& surface)
 {

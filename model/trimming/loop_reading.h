@@ -1,5 +1,5 @@
 // Trim loops as files give them, made into closed chains of Bézier arcs, or refused; either way what was
-// wrong is said in sentences.
+// wrong is said.
 //
 // A point of the surface is inside where a way to it from the corner (start, start) of the domain crosses the
 // chains an odd number of times, or an even number if `startsInside`. So loops may lie in each other, touch,
@@ -25,11 +25,27 @@ struct LoopArc {
 using LoopChain =
     std::vector<LoopArc>;  // each arc starts where the one before ends, the first where the last does
 
+enum class LoopTrouble {
+    empty,            // no curves: left out
+    open,             // refused
+    gaps,             // closed by lines
+    enclosesNothing,  // kept
+    wrongWay,         // kept: even-odd does not ask
+    beyond,           // cut off at the domain
+    acrossSeam,       // goes on at the other side: nothing wrong
+};
+struct LoopFinding {
+    std::uint32_t loop = 0;  // of the object's
+    LoopTrouble trouble = LoopTrouble::open;
+    double share = 0;  // of the domain: how wide, how far; 0 where that means nothing
+};
+[[nodiscard]] std::string sentenceOf(const LoopFinding& finding);
+
 struct LoopReading {
     std::vector<LoopChain> chains;
     bool startsInside = false;
     bool refused = false;  // one of the loops is none: the surface counts as untrimmed
-    std::vector<std::string> report;
+    std::vector<LoopFinding> findings;
 };
 
 // Gaps below 1/200 of the domain are bridged by a line. On a closed surface a loop may run around it, from

@@ -13,11 +13,19 @@ TrimRegion::TrimRegion(const std::vector<TrimLoop>& loops, const NurbsSurface& s
     if (loops.empty())
         return;
     LoopReading reading = readLoops(loops, surface);
-    report_ = std::move(reading.report);
+    findings_ = std::move(reading.findings);
     trimmed_ = !reading.refused;
     startsInside_ = reading.startsInside;
     for (const LoopChain& chain : reading.chains)
         add(chain);
+}
+
+std::vector<std::string> TrimRegion::report() const
+{
+    std::vector<std::string> sentences;
+    for (const LoopFinding& finding : findings_)
+        sentences.push_back(sentenceOf(finding));
+    return sentences;
 }
 
 void TrimRegion::add(const LoopChain& chain)

@@ -28,8 +28,9 @@ public:
 
     // Whether there is anything to ask: else all is inside.
     [[nodiscard]] bool isTrimmed() const { return trimmed_; }
-    // Sentences on what was wrong and what was done about it.
-    [[nodiscard]] const std::vector<std::string>& report() const { return report_; }
+    // What was wrong and what was done about it; and as sentences.
+    [[nodiscard]] const std::vector<LoopFinding>& findings() const { return findings_; }
+    [[nodiscard]] std::vector<std::string> report() const;
     // Closed chains of pieces, cut off at the domain's border. Along it they run as lines.
     [[nodiscard]] const std::vector<std::vector<RegionPiece>>& chains() const { return chains_; }
     // Even-odd: whether the corner at both domain starts is inside, as far as no loop goes around it.
@@ -57,7 +58,7 @@ private:
     CuttingLines lines_;
     bool trimmed_ = false;
     bool startsInside_ = false;
-    std::vector<std::string> report_;
+    std::vector<LoopFinding> findings_;
     std::vector<std::vector<RegionPiece>> chains_;
 };
 

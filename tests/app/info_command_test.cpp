@@ -45,6 +45,39 @@ TEST(InfoCommand, ASingleSurfaceOf100ControlPointsTakesTheBytesOfItsNetAndKnots)
     EXPECT_EQ(info.at("bytes_bezier"), 49 * 16 * 16);
 }
 
+// A square of 4 x 4 units: trimmed to a half, with a gap of 1 % in the loop of the first, open in the second.
+TEST(InfoCommand, TellsWhatTrimLoopsLeaveAndWhatWasWrongWithThem)
+{
+    const TemporaryFolder folder;
+    const auto surface = [](const std::string& name, const std::string& lastPoint) {
+        return "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 4 4 0\nvp 0 0\nvp 1 0\nvp 1 0.5\nvp 0 0.5\nvp " + lastPoint +
+               "\ncstype bspline\ndeg 1\ncurv2 -5 -4 -3 -2 -1\nparm u 0 0 1 2 3 4 4\nend\no " + name +
+               "\ncstype bspline\ndeg 1 1\nsurf 0 1 0 1 -4 -3 -2 -1\nparm u 0 0 1 1\nparm v 0 0 1 1\n"
+               "trim 0 4 -1\nend\n";
+    };
+    writeFile(folder / "a.obj", surface("bridged", "0 0.003") + surface("open", "0 0.3"));
+    const ProgramRun run = runProgram({"info", folder / "a.obj", "--json", "--area"});
+    ASSERT_EQ(run.exitCode, 0) << run.messages;
+    EXPECT_NE(
+        run.messages.find("1 surface has trim loops that do not close (by up to 30 % of the surface) and is "
+                          "shown whole: open."),
+        std::string::npos)
+        << run.messages;
+    EXPECT_NE(
+        run.messages.find(
+            "1 surface has trim loops with gaps of up to 0.3 % of the surface, closed by lines: bridged."),
+        std::string::npos)
+        << run.messages;
+    const Json surfaces = Json::parse(run.output).at("surfaces");
+    ASSERT_EQ(surfaces.size(), 2U);
+    EXPECT_EQ(surfaces[0].at("trim_loops"), 1);
+    EXPECT_EQ(surfaces[0].at("trim_notes").size(), 1U);
+    EXPECT_NEAR(surfaces[0].at("area").get<double>(), 8, 1e-9);
+    EXPECT_NEAR(surfaces[1].at("area").get<double>(), 16, 1e-9);
+    const ProgramRun words = runProgram({"info", folder / "a.obj", "--area"});
+    EXPECT_NE(words.output.find("area 24 "), std::string::npos) << words.output;
+}
+
 TEST(InfoCommand, TellsOfMeshesWhetherTheyAreClosed)
 {
     const TemporaryFolder folder;

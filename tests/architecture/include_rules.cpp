@@ -185,7 +185,7 @@ std::vector<FolderRule> makeRules()
     return {
         {.folder = "model/core", .mayInclude = {}},
         {.folder = "model/geometry", .mayInclude = geometry},
-        {.folder = "model/analysis", .mayInclude = values},
+        {.folder = "model/analysis", .mayInclude = values + Folders{"model/trimming"}},
         {.folder = "model/trimming", .mayInclude = values},
         {.folder = "model/matching", .mayInclude = scene},
         {.folder = "model/making", .mayInclude = values + Folders{"model/scene"}},
@@ -205,7 +205,7 @@ std::vector<FolderRule> makeRules()
          .disk = Disk::yes,
          .meshLibraries = true},
         {.folder = "model/formats",
-         .mayInclude = scene + Folders{"model/cad", "model/files", "model/mesh", "model/mesh_files"},
+         .mayInclude = scene + Folders{"model/cad", "model/files", "model/mesh", "model/mesh_files", "model/trimming"},
          .disk = Disk::yes},
         {.folder = "model/document",
          .mayInclude = scene + Folders{"model/files", "model/formats", "model/mesh"},

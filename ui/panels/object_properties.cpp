@@ -12,7 +12,8 @@ ObjectProperties propertiesOf(const MeasuredObject& object, const std::function<
 {
     ObjectProperties found;
     if (object.surface) {
-        found.area = surfaceArea(object.surface->surface, object.surface->transform, isOff);
+        found.area =
+            trimmedArea(object.surface->surface, object.surface->trimLoops, object.surface->transform, isOff);
         if (!isOff())
             found.bounds = surfaceBounds(object.surface->surface, object.surface->transform);
         return found;

@@ -7,7 +7,7 @@
 #include <QMutex>
 #include <QThread>
 
-#include "model/analysis/surface_area.h"
+#include "model/analysis/trimmed_area.h"
 #include "model/scene/scene.h"
 
 namespace knotspan {

@@ -47,9 +47,8 @@ PropertiesView::PropertiesView(Document& document, Selection& selection, QWidget
     low_ = addLine("properties-low", tr("Lowest corner"), tr("Of the box around the surfaces themselves"));
     high_ = addLine("properties-high", tr("Highest corner"), tr("Of the box around the surfaces themselves"));
     size_ = addLine("properties-size", tr("Size"), tr("The sides of that box"));
-    area_ =
-        addLine("properties-area", tr("Area"),
-                tr("The area of the whole surfaces, trim loops cut nothing out, and how far off it may be"));
+    area_ = addLine("properties-area", tr("Area"),
+                    tr("The area of what trim loops leave of the surfaces, and how far off it may be"));
     copy_ = new QPushButton(tr("Cop&y"), this);
     describe(copy_, "copy-properties", tr("Copy the properties"),
              tr("Copy a line for each selected object, as a table that spreadsheets take"));

@@ -7,11 +7,13 @@
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepClass_FaceClassifier.hxx>
+#include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
+#include <GProp_GProps.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
 #include <STEPControl_Reader.hxx>
@@ -19,6 +21,7 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 
+#include "model/analysis/trimmed_area.h"
 #include "model/cad/occt_trim_loops.h"
 #include "model/geometry/evaluation.h"
 #include "model/trimming/trim_index.h"
@@ -96,6 +99,28 @@ Counts compareFace(const TopoDS_Face& face)
     return counts;
 }
 
+// The area of what the loops leave, and OpenCASCADE's own of the face.
+void compareAreas(const TopoDS_Shape& shape, int most, int& compared)
+{
+    int number = 0;
+    for (TopExp_Explorer it(shape, TopAbs_FACE); it.More() && number < most; it.Next(), ++number) {
+        const TopoDS_Face face = TopoDS::Face(it.Current());
+        const auto converted = occt::toNurbs(face, occt::Extent::face);
+        if (!converted || converted->approximated)
+            continue;
+        const auto loops = occt::trimLoops(face, *converted);
+        if (!loops || loops->empty())
+            continue;
+        GProp_GProps wanted;
+        const double theirs = BRepGProp::SurfaceProperties(face, wanted, 1e-7);
+        const Area found = trimmedArea(converted->surface, *loops, Mat4(1));
+        EXPECT_NEAR(found.value, wanted.Mass(), found.error + (std::abs(theirs) + 2e-5) * wanted.Mass())
+            << "face " << number;
+        EXPECT_LE(found.error, 1e-6 * wanted.Mass()) << "face " << number;
+        ++compared;
+    }
+}
+
 Counts compareFaces(const TopoDS_Shape& shape, int most)
 {
     Counts counts;
@@ -122,6 +147,9 @@ TEST(TrimmedFaces, OfSolidsWithHolesAreWhereOpenCascadeHasThem)
     solid =
         BRepAlgoAPI_Cut(solid, BRepPrimAPI_MakeTorus(gp_Ax2({20, 0, 10}, {0, 0, 1}), 12, 3).Shape()).Shape();
     const Counts counts = compareFaces(solid, 1000);
+    int areas = 0;
+    compareAreas(solid, 1000, areas);
+    EXPECT_GT(areas, 8);
     EXPECT_GT(counts.trimmed, 8);
     EXPECT_GT(counts.points, 150);
     EXPECT_GT(counts.outside, 40);
@@ -135,6 +163,7 @@ TEST(TrimmedFaces, OfModelsBesideTheRepositoryAreWhereOpenCascadeHasThem)
         GTEST_SKIP() << "no models beside the repository";
     Message::DefaultMessenger()->ChangePrinters().Clear();
     Counts all;
+    int areas = 0;
     for (const char* name : {"NIST_MBE_PMI_3.stp", "NIST_MBE_PMI_5.stp", "NIST_MBE_PMI_11.stp", "screw.step",
                              "simplewing.step", "AMSurface.step", "occt_shell1.step", "nacelle.stp"}) {
         if (!std::filesystem::exists(folder / name))
@@ -147,7 +176,9 @@ TEST(TrimmedFaces, OfModelsBesideTheRepositoryAreWhereOpenCascadeHasThem)
         const Counts counts = compareFaces(reader.OneShape(), 400);
         EXPECT_EQ(counts.refused, 0) << name;
         all += counts;
+        compareAreas(reader.OneShape(), 60, areas);
     }
+    EXPECT_GT(areas, 60);
     EXPECT_GT(all.points, 1000);
     EXPECT_GT(all.outside, 500);
 }

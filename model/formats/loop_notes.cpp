@@ -1,0 +1,113 @@
+#include "model/formats/loop_notes.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+
+#include "model/trimming/loop_crossings.h"
+
+namespace knotspan::formats {
+namespace {
+
+constexpr double kSpokenShare = 1e-4;
+constexpr size_t kNamed = 3;
+
+// In the order of the sentences.
+enum class Kind { open, crossing, gaps, empty, beyond };
+
+struct Some {
+    std::vector<std::string> names;  // of the surfaces, each once
+    double share = 0;
+};
+using Found = std::map<Kind, Some>;
+
+void add(Found& found, Kind kind, const std::string& name, double share)
+{
+    Some& some = found[kind];
+    if (some.names.empty() || some.names.back() != name)
+        some.names.push_back(name);
+    some.share = std::max(some.share, share);
+}
+
+void add(Found& found, const LoopFinding& finding, const std::string& name)
+{
+    const bool isSpoken = finding.share > kSpokenShare;
+    switch (finding.trouble) {
+    case LoopTrouble::open:
+        return add(found, Kind::open, name, finding.share);
+    case LoopTrouble::gaps:
+        return isSpoken ? add(found, Kind::gaps, name, finding.share) : void();
+    case LoopTrouble::beyond:
+        return isSpoken ? add(found, Kind::beyond, name, finding.share) : void();
+    case LoopTrouble::empty:
+    case LoopTrouble::enclosesNothing:
+        return add(found, Kind::empty, name, 0);
+    case LoopTrouble::wrongWay:
+    case LoopTrouble::acrossSeam:
+        return;
+    }
+}
+
+std::string percent(double share)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, "%.2g %%", 100 * share);
+    return text;
+}
+
+std::string sentenceOf(Kind kind, const Some& some)
+{
+    const bool isOne = some.names.size() == 1;
+    std::string who = (isOne ? "1 surface" : std::to_string(some.names.size()) + " surfaces");
+    const std::string has = isOne ? " has " : " have ";
+    const std::string is = isOne ? " is " : " are ";
+    const auto what = [&]() -> std::string {
+        switch (kind) {
+        case Kind::open:
+            return has + "trim loops that do not close (by up to " + percent(some.share) +
+                   " of the surface) and" + is + "shown whole";
+        case Kind::crossing:
+            return has + "trim loops that cross";
+        case Kind::gaps:
+            return has + "trim loops with gaps of up to " + percent(some.share) +
+                   " of the surface, closed by lines";
+        case Kind::empty:
+            return has + "trim loops that enclose nothing";
+        case Kind::beyond:
+            return has + "trim loops that reach up to " + percent(some.share) +
+                   " of the surface beyond it, and end at its border";
+        }
+        return {};
+    };
+    std::string names;
+    for (size_t k = 0; k < std::min(kNamed, some.names.size()); ++k)
+        names += (k == 0 ? "" : ", ") + some.names[k];
+    if (some.names.size() > kNamed)
+        names += " and " + std::to_string(some.names.size() - kNamed) + " more";
+    return who + what() + ": " + names + ".";
+}
+
+}  // namespace
+
+std::vector<std::string> loopNotes(const Scene& scene)
+{
+    Found found;
+    int number = 0;
+    for (const auto& [id, object] : scene.objects()) {
+        ++number;
+        if (object->trimLoops.empty())
+            continue;
+        const std::string name = object->name.empty() ? "Surface " + std::to_string(number) : object->name;
+        const TrimRegion region(object->trimLoops, object->surface);
+        for (const LoopFinding& finding : region.findings())
+            add(found, finding, name);
+        if (!crossingsOf(region).empty())
+            add(found, Kind::crossing, name, 0);
+    }
+    std::vector<std::string> sentences;
+    for (const auto& [kind, some] : found)
+        sentences.push_back(sentenceOf(kind, some));
+    return sentences;
+}
+
+}  // namespace knotspan::formats
