@@ -1,6 +1,9 @@
 // The menu Edit.
+#include <algorithm>
+
 #include <QStatusBar>
 
+#include "model/trimming/loop_combining.h"
 #include "ui/action_rows.h"
 #include "ui/match_dialog.h"
 #include "ui/panels/friends_panel.h"
@@ -115,6 +118,48 @@ void refineSurface(Window& window)
                             [&] { return new RefineDialog(window.document(), window.selection(), &window); });
 }
 
+bool hasTrimmed(Window& window)
+{
+    const std::set<ObjectId>& chosen = window.selection().objects();
+    return std::any_of(chosen.begin(), chosen.end(), [&](ObjectId id) {
+        const SharedObject object = window.document().scene().find(id);
+        return object && !object->locked && !object->trimLoops.empty();
+    });
+}
+
+// Other loops for the selected surfaces, as one step.
+template <class Loops>
+void changeLoops(Window& window, const QString& step, const QString& whyNot, const Loops& loopsOf)
+{
+    window.document().endPreview();
+    Edit edit;
+    for (const ObjectId id : window.selection().objects()) {
+        const SharedObject object = window.document().scene().find(id);
+        if (!object || object->locked || object->trimLoops.empty())
+            continue;
+        SceneObject changed = *object;
+        changed.trimLoops = loopsOf(*object);
+        if (changed.trimLoops != object->trimLoops)
+            edit.set(id, std::make_shared<SceneObject>(std::move(changed)));
+    }
+    if (edit.isEmpty())
+        window.statusBar()->showMessage(whyNot);
+    else
+        window.document().apply(edit, step);
+}
+
+void untrim(Window& window)
+{
+    changeLoops(window, MainWindow::tr("Untrim"), MainWindow::tr("Nothing that is selected is trimmed"),
+                [](const SceneObject&) { return std::vector<TrimLoop>(); });
+}
+
+void fillHoles(Window& window)
+{
+    changeLoops(window, MainWindow::tr("Fill holes"), MainWindow::tr("The selected surfaces have no holes"),
+                [](const SceneObject& object) { return withoutHoles(object.trimLoops, object.surface); });
+}
+
 }  // namespace
 
 const std::vector<ActionInfo>& editActions()
@@ -174,6 +219,19 @@ const std::vector<ActionInfo>& editActions()
              TEXT("Knots, degrees, a rebuilt net or a cut for the selected surface, and see first how far it "
                   "moves for it"),
          .run = [](Window& w, bool) { refineSurface(w); }},
+        {.id = "edit.untrim",
+         .text = TEXT("U&ntrim"),
+         .shortcuts = {QKeySequence("Shift+U")},
+         .tip = TEXT("Show the selected surfaces whole: all of their trim loops go"),
+         .run = [](Window& w, bool) { untrim(w); },
+         .isEnabled = hasTrimmed,
+         .separated = true},
+        {.id = "edit.fillHoles",
+         .text = TEXT("F&ill holes"),
+         .shortcuts = {},
+         .tip = TEXT("Take the holes out of the selected trimmed surfaces; their outlines stay"),
+         .run = [](Window& w, bool) { fillHoles(w); },
+         .isEnabled = hasTrimmed},
     };
     return kList;
 }

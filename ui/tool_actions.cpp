@@ -79,6 +79,7 @@ const std::vector<ActionInfo>& toolActions()
         toolRow<7>("tools.inflate"),
         toolRow<8>("tools.flatten"),
         toolRow<9>("tools.probe"),
+        toolRow<10>("tools.trim"),
         {.id = "tools.largerBrush",
          .text = TEXT("L&arger brush"),
          .shortcuts = {QKeySequence("]")},

@@ -26,7 +26,9 @@ Result<TopoDS_Face> faceOf(const SceneObject& object, double scale)
         return BRepBuilderAPI_MakeFace(*spline, Precision::Confusion()).Face();  // all of it
     TopoDS_Face face;
     BRep_Builder().MakeFace(face, *spline, Precision::Confusion());
-    if (auto added = addWires(face, object.trimLoops, object.bounds().diagonal() * scale); !added)
+    const std::vector<TrimLoop> loops =
+        withBorder(object.trimLoops, object.surface.knotsU(), object.surface.knotsV());
+    if (auto added = addWires(face, loops, object.bounds().diagonal() * scale); !added)
         return tl::unexpected(added.error().at('"' + object.name + '"'));
     return face;
 }

@@ -118,7 +118,9 @@ private:
 
     [[nodiscard]] Result<void> addTrimLoops(SceneDifference& difference) const
     {
-        const std::vector<TrimLoop>& loops = object_.trimLoops;
+        std::vector<TrimLoop> loops = object_.trimLoops;
+        if (loops.size() + 1 == back_.trimLoops.size())  // formats that want one put the border around holes
+            loops = withBorder(std::move(loops), object_.surface.knotsU(), object_.surface.knotsV());
         if (loops.size() != back_.trimLoops.size())
             return failure(name() + " differs in its number of trim loops: " + std::to_string(loops.size()) +
                            " here, " + std::to_string(back_.trimLoops.size()) + " there");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/core/check.h"
 #include "model/geometry/basis.h"
 
 namespace knotspan {
@@ -65,6 +66,27 @@ Vec2 TrimCurve::evaluate(double t) const
 Vec2 TrimCurve::derivative(double t) const
 {
     return look(t).slope;
+}
+
+std::vector<TrimLoop> withBorder(std::vector<TrimLoop> loops, const KnotVector& knotsU,
+                                 const KnotVector& knotsV)
+{
+    if (loops.empty() ||
+        std::any_of(loops.begin(), loops.end(), [](const TrimLoop& loop) { return loop.outer; }))
+        return loops;
+    const Vec2 corners[] = {{knotsU.domainStart(), knotsV.domainStart()},
+                            {knotsU.domainEnd(), knotsV.domainStart()},
+                            {knotsU.domainEnd(), knotsV.domainEnd()},
+                            {knotsU.domainStart(), knotsV.domainEnd()}};
+    TrimLoop border;
+    for (int k = 0; k < 4; ++k) {
+        auto side =
+            TrimCurve::create(KnotVector::clampedUniform(1, 1), {{corners[k]}, {corners[(k + 1) % 4]}});
+        check(side.has_value(), "a side of a domain is a line");
+        border.curves.push_back(*std::move(side));
+    }
+    loops.insert(loops.begin(), std::move(border));
+    return loops;
 }
 
 }  // namespace knotspan

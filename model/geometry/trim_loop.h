@@ -1,7 +1,6 @@
 // Trim loops: closed chains of NURBS curves in a surface's (u,v) that say which part of it is the face.
 //
-// They are kept with the object from the first import on, unchanged to the bit, even where nothing draws them
-// yet.
+// They are kept with the object from the first import on, unchanged to the bit.
 #pragma once
 
 #include <vector>
@@ -52,5 +51,10 @@ struct TrimLoop {
 
     [[nodiscard]] bool operator==(const TrimLoop&) const = default;
 };
+
+// With the border of the whole surface around holes that have nothing around them, for whoever takes the
+// first loop for the outer one; others as they are.
+[[nodiscard]] std::vector<TrimLoop> withBorder(std::vector<TrimLoop> loops, const KnotVector& knotsU,
+                                               const KnotVector& knotsV);
 
 }  // namespace knotspan

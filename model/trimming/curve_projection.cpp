@@ -23,7 +23,7 @@ constexpr double kFlattest = 1e-7;     // share of the steepest that the picture
 // The surface as it falls onto the plane; beyond its border it goes on straight, across seams as it does.
 class Sheet {
 public:
-    Sheet(const NurbsSurface& surface, const Projection& projection)
+    Sheet(const NurbsSurface& surface, const PlaneProjection& projection)
         : surface_(surface),
           transform_(projection.transform),
           toPlane_(projection.toPlane * projection.transform),
@@ -299,13 +299,13 @@ PlaneCurve closedSpline(const std::vector<Vec2>& points)
     return {std::move(piece)};
 }
 
-std::optional<Vec2> projectedPlace(const NurbsSurface& surface, const Projection& projection,
+std::optional<Vec2> projectedPlace(const NurbsSurface& surface, const PlaneProjection& projection,
                                    const Vec2& point, const Vec2& start)
 {
     return Sheet(surface, projection).placeOf(point, start);
 }
 
-Result<ProjectedCurve> projectedOnto(const NurbsSurface& surface, const Projection& projection,
+Result<ProjectedCurve> projectedOnto(const NurbsSurface& surface, const PlaneProjection& projection,
                                      const PlaneCurve& curve, const Vec2& start, double tolerance)
 {
     const Sheet sheet(surface, projection);

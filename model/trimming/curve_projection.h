@@ -30,22 +30,23 @@ struct ProjectedCurve {
     double error = 0;               // the largest distance found, in space, from the exact projection
 };
 
-struct Projection {
+struct PlaneProjection {
     Mat4 toPlane{1.0};    // of points in space to x/w and y/w in the plane, where w is above zero
     Mat4 transform{1.0};  // of the surface's points to those in space
 };
 
 // The place (u, v) of the surface that falls onto a point of the plane, searched from `start` on; nothing
 // where none is found.
-[[nodiscard]] std::optional<Vec2> projectedPlace(const NurbsSurface& surface, const Projection& projection,
-                                                 const Vec2& point, const Vec2& start);
+[[nodiscard]] std::optional<Vec2> projectedPlace(const NurbsSurface& surface,
+                                                 const PlaneProjection& projection, const Vec2& point,
+                                                 const Vec2& start);
 
 // Follows the sheet of the surface that `start` (u, v) is on; it falls near where the curve begins. Pieces of
 // a cubic are halved until none is further off than `tolerance` at nine places. The curve may leave the
 // surface: beyond its border that is taken as going on straight, and on closed ones as across the seam.
 // Fails, with a sentence, where it comes to where the surface is seen edge-on.
-[[nodiscard]] Result<ProjectedCurve> projectedOnto(const NurbsSurface& surface, const Projection& projection,
-                                                   const PlaneCurve& curve, const Vec2& start,
-                                                   double tolerance);
+[[nodiscard]] Result<ProjectedCurve> projectedOnto(const NurbsSurface& surface,
+                                                   const PlaneProjection& projection, const PlaneCurve& curve,
+                                                   const Vec2& start, double tolerance);
 
 }  // namespace knotspan

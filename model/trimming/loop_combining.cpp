@@ -296,6 +296,7 @@ Result<std::vector<TrimLoop>> trimmedBy(const std::vector<TrimCurve>& curve,
     std::vector<TrimLoop> all = loops;
     all.push_back({true, curve});
     std::vector<TrimLoop> result = loopsOf(*set, all);
+    std::stable_partition(result.begin(), result.end(), [](const TrimLoop& loop) { return loop.outer; });
     const TrimRegion before(loops, surface);
     const TrimRegion after(result, surface);
     bool isSame = true;
@@ -309,6 +310,33 @@ Result<std::vector<TrimLoop>> trimmedBy(const std::vector<TrimCurve>& curve,
     if (isSame && meetings->empty() && result.size() == loops.size())
         return failure("The curve leaves all of the surface as it is",
                        "Draw it over what is left of the surface");
+    return result;
+}
+
+std::vector<TrimLoop> withoutHoles(const std::vector<TrimLoop>& loops, const NurbsSurface& surface)
+{
+    const LoopReading reading = readLoops(loops, surface);
+    if (reading.refused || reading.startsInside)
+        return reading.refused ? loops : std::vector<TrimLoop>();
+    // Those around a surface are closed far beyond its end.
+    const Vec2 far = highOf(surface) + 0.75 * (highOf(surface) - lowOf(surface));
+    const auto isAround = [&](const LoopChain& chain) {
+        return std::any_of(chain.begin(), chain.end(), [&](const LoopArc& part) {
+            return part.curve == kNoCurve && (part.arc.start().x > far.x || part.arc.start().y > far.y);
+        });
+    };
+    std::vector<bool> isHole(loops.size(), false);
+    for (const LoopChain& chain : reading.chains)
+        for (const LoopChain& other : reading.chains)
+            if (other.front().loop != chain.front().loop && !isAround(chain) && !isAround(other) &&
+                ChainParity({other}).contains(middleOf(chain)))
+                isHole[chain.front().loop] = true;
+    // In a band around a surface every other loop is one.
+    const bool hasBand = std::any_of(reading.chains.begin(), reading.chains.end(), isAround);
+    std::vector<TrimLoop> result;
+    for (size_t k = 0; k < loops.size(); ++k)
+        if (!isHole[k] && !(hasBand && !loops[k].outer))
+            result.push_back(loops[k]);
     return result;
 }
 

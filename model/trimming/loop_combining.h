@@ -16,4 +16,9 @@ enum class KeptSide { inside, outside };
                                                       const std::vector<TrimLoop>& loops,
                                                       const NurbsSurface& surface, KeptSide side);
 
+// Without what lies inside other loops: holes, and islands in them. Nothing where there are only holes. Loops
+// around a closed surface stay.
+[[nodiscard]] std::vector<TrimLoop> withoutHoles(const std::vector<TrimLoop>& loops,
+                                                 const NurbsSurface& surface);
+
 }  // namespace knotspan

@@ -127,6 +127,24 @@ void refine(Tour& tour)
     tour.act("edit.refine");
 }
 
+// A rounded hole, drawn and cut, and a second curve that is being drawn.
+void trim(Tour& tour)
+{
+    tour.show("single-100");
+    tour.act("view.top");
+    settle(tour.window());
+    tour.act("tools.trim");
+    for (const Vec2& place :
+         {Vec2(0.3, 0.4), Vec2(0.42, 0.3), Vec2(0.5, 0.45), Vec2(0.4, 0.6), Vec2(0.3, 0.55)})
+        tour.hand().click(tour.at(place.x, place.y));
+    tour.hand().key(Qt::Key_Return);
+    tour.hand().key(Qt::Key_Return);
+    settle(tour.window());
+    for (const Vec2& place : {Vec2(0.45, 0.5), Vec2(0.6, 0.45), Vec2(0.68, 0.6)})
+        tour.hand().click(tour.at(place.x, place.y));
+    tour.hand().hover(tour.at(0.55, 0.7));
+}
+
 void frozen(Tour& tour)
 {
     tour.show("knot");
@@ -168,10 +186,11 @@ void keys(Tour& tour)
 const std::vector<TourStation>& tourStations()
 {
     static const std::vector<TourStation> kStations = {
-        {"start", start},   {"overview", overview},   {"pull", pull},       {"brush", brush},
-        {"refine", refine}, {"views", views},         {"zebra", zebra},     {"curvature", curvature},
-        {"combs", combs},   {"deviation", deviation}, {"friends", friends}, {"frozen", frozen},
-        {"speed", speed},   {"export", exporting},    {"palette", palette}, {"keys", keys},
+        {"start", start},         {"overview", overview}, {"pull", pull},           {"brush", brush},
+        {"refine", refine},       {"trim", trim},         {"views", views},         {"zebra", zebra},
+        {"curvature", curvature}, {"combs", combs},       {"deviation", deviation}, {"friends", friends},
+        {"frozen", frozen},       {"speed", speed},       {"export", exporting},    {"palette", palette},
+        {"keys", keys},
     };
     return kStations;
 }

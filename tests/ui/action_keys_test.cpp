@@ -18,6 +18,21 @@ namespace {
 
 using namespace knotspan::testing;
 
+// Trimmed to a triangle, so that there are loops to take away.
+void trim(Document& document, ObjectId id)
+{
+    SceneObject object = *document.scene().find(id);
+    const KnotVector& u = object.surface.knotsU();
+    const KnotVector& v = object.surface.knotsV();
+    const Vec2 low(u.domainStart(), v.domainStart());
+    const Vec2 high(u.domainEnd(), v.domainEnd());
+    std::vector<TrimPoint> points{{low}, {{high.x, low.y}}, {high}, {low}};
+    object.trimLoops = {{true, {TrimCurve::create(KnotVector::clampedUniform(1, 3), points).value()}}};
+    Edit edit;
+    edit.set(id, std::make_shared<SceneObject>(std::move(object)));
+    document.apply(edit, "Trim");
+}
+
 // Objects, control points, a step to take back: what actions ask for.
 void makeReady(MainWindow& window)
 {
@@ -49,6 +64,8 @@ TEST(ActionKeys, EachTriggersItsAction)
             continue;
         for (const QKeySequence& keys : info.shortcuts) {
             makeReady(*window);
+            if (QString(info.id) == "edit.untrim")
+                trim(window->document(), *window->selection().objects().begin());
             QAction* action = window->action(info.id);
             ASSERT_TRUE(action->isEnabled()) << info.id;
             int triggered = 0;

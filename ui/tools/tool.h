@@ -18,6 +18,7 @@ namespace knotspan {
 enum class ToolAnswer {
     pass,    // not mine: the viewport may turn the view with it
     keep,    // mine, go on telling me
+    stay,    // the same, and the button may go up: moves, presses and keys are mine until I say otherwise
     commit,  // the gesture is done: what was applied becomes one step
     revert,  // the gesture is off: what was applied is taken back
 };
@@ -108,7 +109,8 @@ public:
 
     // The pointer moves with no button down.
     virtual void hover(const ToolContext& context, const ToolPointer& pointer) = 0;
-    // The left button goes down. Only after `keep` do the moves and the release come here.
+    // The left button goes down. Only after `keep` do the moves and the release come here. A release that
+    // answers `stay` lets the gesture go on over more presses, and the view stands still meanwhile.
     virtual ToolAnswer press(const ToolContext& context, const ToolPointer& pointer) = 0;
     virtual ToolAnswer move(const ToolContext& context, const ToolPointer& pointer) = 0;
     virtual ToolAnswer release(const ToolContext& context, const ToolPointer& pointer) = 0;

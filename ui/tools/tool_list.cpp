@@ -5,6 +5,7 @@
 #include "ui/tools/move_control_point.h"
 #include "ui/tools/probe_tool.h"
 #include "ui/tools/region_select.h"
+#include "ui/tools/trim_tool.h"
 #include "ui/tools/weight_drag.h"
 
 namespace knotspan {
@@ -57,6 +58,11 @@ const std::vector<ToolInfo>& tools()
          TEXT("Point at a surface to see place, normal and curvatures; click to pin a probe that follows it. "
               "The panel Measures lists them."),
          []() -> std::unique_ptr<Tool> { return std::make_unique<ProbeTool>(); }},
+        {"trim", TEXT("&Trim"), "Shift+T",
+         TEXT("Draw a closed curve over a surface and keep what lies inside or outside"),
+         TEXT("Click points of a curve over a surface; the first point, a double click or Enter closes it. S "
+              "makes it straight or smooth, Backspace takes a point back."),
+         []() -> std::unique_ptr<Tool> { return std::make_unique<TrimTool>(); }, true},
     };
     return kTools;
 }

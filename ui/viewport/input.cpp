@@ -158,6 +158,12 @@ bool Input::key(const QKeyEvent& event)
 
 bool Input::press(const QMouseEvent& event)
 {
+    if (stays_) {
+        if (event.button() == Qt::LeftButton)
+            follow(tool_->press(context(), pointer(event)));
+        showCursor();
+        return true;
+    }
     if (drag_ != Drag::none)
         return true;  // a second button during a drag
     viewport_.workAt(wholePixel(event.position()));
@@ -183,7 +189,7 @@ bool Input::press(const QMouseEvent& event)
 bool Input::move(const QMouseEvent& event)
 {
     const ToolPointer at = pointer(event);
-    if (drag_ != Drag::none && !event.buttons().testFlag(button_))
+    if (drag_ != Drag::none && !stays_ && !event.buttons().testFlag(button_))
         end(at);  // the button went up where nobody told
     if (drag_ == Drag::none) {
         const auto part =
@@ -237,6 +243,8 @@ void Input::end(const ToolPointer& at)
     const Drag ended = drag_;
     if (ended == Drag::tool)
         follow(acting().release(context(), at));
+    if (stays_)
+        return;
     drag_ = Drag::none;
     boxes_ = false;
     if (ended == Drag::undecided)
@@ -249,8 +257,10 @@ void Input::end(const ToolPointer& at)
 
 void Input::follow(ToolAnswer answer)
 {
+    stays_ = answer == ToolAnswer::stay || (stays_ && answer == ToolAnswer::keep);
     switch (answer) {
     case ToolAnswer::keep:
+    case ToolAnswer::stay:
         return;
     case ToolAnswer::pass:
         drag_ = Drag::undecided;

@@ -68,6 +68,7 @@ private:
     std::unique_ptr<Tool> tool_;
     std::unique_ptr<Tool> box_;  // for drags that nobody else takes, where they do not orbit
     bool boxes_ = false;         // the drag is its
+    bool stays_ = false;         // the tool's drag goes on with the button up
     Drag drag_ = Drag::none;
     Qt::MouseButton button_ = Qt::NoButton;
     int gesture_ = 0;

@@ -1,6 +1,7 @@
 // What is written as STEP, IGES and BREP is read as the same model.
 #include <gtest/gtest.h>
 
+#include "model/analysis/trimmed_area.h"
 #include "model/formats/format_list.h"
 #include "model/formats/scene_difference.h"
 #include "model/samples/sample_list.h"
@@ -69,6 +70,27 @@ TEST(CadRoundTrip, KeepsTrimLoopsCurveByCurve)
             SCOPED_TRACE(odd.name + " " + extension);
             EXPECT_LE(differenceAfter(odd.scene, extension).largest(), 3e-16);
         }
+    }
+}
+
+// A hole in the middle of a square of 4 x 4, and nothing around it: what is left is 15 of 16.
+TEST(CadRoundTrip, KeepsWhatIsAroundHolesThatHaveNoOuterLoop)
+{
+    const KnotVector knots = KnotVector::clampedUniform(1, 1);
+    const auto square =
+        NurbsSurface::create(knots, knots, {{{0, 0, 0}}, {{0, 4, 0}}, {{4, 0, 0}}, {{4, 4, 0}}}).value();
+    const std::vector<TrimPoint> corners{
+        {{0.375, 0.375}}, {{0.375, 0.625}}, {{0.625, 0.625}}, {{0.625, 0.375}}, {{0.375, 0.375}}};
+    const TrimLoop hole{false, {TrimCurve::create(KnotVector::clampedUniform(1, 4), corners).value()}};
+    Scene scene;
+    scene.add({.name = "plate", .surface = square, .trimLoops = {hole}});
+    for (const std::string extension : {".step", ".igs", ".brep", ".obj", ".knotspan"}) {
+        SCOPED_TRACE(extension);
+        EXPECT_LE(differenceAfter(scene, extension).largest(), 1e-12);
+        const Scene back = writtenAndRead(scene, extension).scene;
+        ASSERT_EQ(back.objects().size(), 1U);
+        const SceneObject& object = *back.objects().begin()->second;
+        EXPECT_NEAR(trimmedArea(object.surface, object.trimLoops, object.transform).value, 15, 1e-9);
     }
 }
 

@@ -81,7 +81,7 @@ TEST(LoopCombiningTest, LoopsThatTheCurveDoesNotTouchStayToTheBitOrGo)
         },
         "ring");
     ASSERT_EQ(around->size(), 2U);
-    EXPECT_EQ((*around)[0], kHole);
+    EXPECT_EQ((*around)[1], kHole);  // outer ones first
     EXPECT_FALSE(trimmedBy({circle({2.2, 11.2}, 0.6)}, loops, flatSurface(), KeptSide::outside)->size() == 4);
 }
 
@@ -161,6 +161,19 @@ TEST(LoopCombiningTest, CurvesCrossASeam)
             trimmedBy(curve, band, roundSurface(), KeptSide::inside), roundSurface(),
             [&](const Vec2& at) { return inBand(at) && in(at); }, "part of a band");
     }
+}
+
+TEST(LoopCombiningTest, HolesAreFilledWithAllThatLiesInThem)
+{
+    const TrimLoop island{true, {circle({2.2, 11.2}, 0.2)}};
+    EXPECT_EQ(withoutHoles({kHole, kBorder, island, kOther}, flatSurface()), std::vector<TrimLoop>{kBorder});
+    EXPECT_TRUE(withoutHoles({kHole, kOther}, flatSurface()).empty());
+    EXPECT_TRUE(withoutHoles({}, flatSurface()).empty());
+    const double end = roundSurface().knotsU().domainEnd();
+    const TrimLoop low{true, {polyline({{0, 0.2}, {end, 0.2}})}};
+    const TrimLoop high{true, {polyline({{end, 0.9}, {0, 0.9}})}};
+    const TrimLoop hole{false, {circle({end / 2, 0.5}, 0.1, false)}};
+    EXPECT_EQ(withoutHoles({low, hole, high}, roundSurface()), (std::vector<TrimLoop>{low, high}));
 }
 
 void expectRefused(const std::vector<TrimCurve>& curve, const std::vector<TrimLoop>& loops, KeptSide side,
