@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 #include "model/files/length_units.h"
 
 namespace knotspan::formats {
 namespace {
+
+constexpr double kSameLoop = 1e-9;  // so near, and no other loop is meant
 
 constexpr double kSameColour = 1e-3;
 
@@ -124,15 +127,36 @@ private:
         if (loops.size() != back_.trimLoops.size())
             return failure(name() + " differs in its number of trim loops: " + std::to_string(loops.size()) +
                            " here, " + std::to_string(back_.trimLoops.size()) + " there");
-        for (size_t k = 0; k < loops.size(); ++k)
-            if (auto added = addTrimLoop(loops[k], back_.trimLoops[k], difference); !added)
+        std::vector<size_t> left(loops.size());
+        std::iota(left.begin(), left.end(), size_t{0});
+        for (const TrimLoop& loop : loops)
+            if (auto added = addTrimLoop(loop, left, difference); !added)
                 return added;
         return {};
     }
 
-    // Where a loop begins says nothing: the beginning that fits best is taken.
-    [[nodiscard]] Result<void> addTrimLoop(const TrimLoop& loop, const TrimLoop& back,
+    // Which loop comes first says nothing, either: some writers begin with the largest. Takes the one that
+    // fits out of those that are left.
+    [[nodiscard]] Result<void> addTrimLoop(const TrimLoop& loop, std::vector<size_t>& left,
                                            SceneDifference& difference) const
+    {
+        std::optional<double> least;
+        auto best = left.end();
+        for (auto it = left.begin(); it != left.end() && (!least || *least > kSameLoop); ++it)
+            if (const auto found = loopDifference(loop, back_.trimLoops[*it]);
+                found && (!least || *found < *least)) {
+                least = found;
+                best = it;
+            }
+        if (!least)
+            return failure(name() + " has other trim curves there");
+        left.erase(best);
+        difference.trimCurves = std::max(difference.trimCurves, *least);
+        return {};
+    }
+
+    // Where a loop begins says nothing: the beginning that fits best is taken.
+    [[nodiscard]] std::optional<double> loopDifference(const TrimLoop& loop, const TrimLoop& back) const
     {
         const size_t count = loop.curves.size();
         std::optional<double> least;
@@ -141,10 +165,7 @@ private:
                 if (const auto found = curvesDifference(loop, back, start);
                     found && (!least || *found < *least))
                     least = found;
-        if (!least)
-            return failure(name() + " has other trim curves there");
-        difference.trimCurves = std::max(difference.trimCurves, *least);
-        return {};
+        return least;
     }
 
     // With curve k of the one beside curve k + start of the other; nothing where those are of another make.

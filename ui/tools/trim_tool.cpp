@@ -113,7 +113,7 @@ ToolAnswer TrimTool::press(const ToolContext& context, const ToolPointer& pointe
 {
     if (choice_) {
         move(context, pointer);
-        if (!choice_->loops[static_cast<size_t>(choice_->shown)])
+        if (!canTake())
             return ToolAnswer::stay;
         context.hint({});
         cancel();
@@ -155,7 +155,7 @@ ToolAnswer TrimTool::key(const ToolContext& context, const QKeyEvent& event)
     case Qt::Key_Return:
     case Qt::Key_Enter:
         if (choice_) {
-            if (!choice_->loops[static_cast<size_t>(choice_->shown)])
+            if (!canTake())
                 return ToolAnswer::stay;
             context.hint({});
             cancel();
@@ -264,26 +264,26 @@ void TrimTool::close(const ToolContext& context)
 
 void TrimTool::showSide(const ToolContext& context, KeptSide side)
 {
+    if (choice_->shown == side)
+        return;
+    choice_->shown = side;
     const auto& loops = choice_->loops[static_cast<size_t>(side)];
-    SharedObject wanted = choice_->before;
+    SharedObject shown = choice_->before;
     if (loops) {
         SceneObject trimmed = *choice_->before;
         trimmed.trimLoops = *loops;
-        wanted = std::make_shared<SceneObject>(std::move(trimmed));
+        shown = std::make_shared<SceneObject>(std::move(trimmed));
     }
-    const SharedObject now = context.document.scene().find(choice_->object);
-    if (choice_->shown != side || !now || !(*now == *wanted)) {
-        Edit edit;
-        edit.set(choice_->object, wanted);
-        context.document.apply(edit, QObject::tr("Trim"), context.gesture);
-    }
-    choice_->shown = side;
+    Edit edit;
+    edit.set(choice_->object, shown);
+    context.document.apply(edit, QObject::tr("Trim"), context.gesture);
     if (loops)
         context.hint(
             QObject::tr(
-                "Click the side that is to stay; Enter takes what is shown. The curve is within %1 of "
+                "Click the side that is to stay; Enter takes what is shown. The curve is within %1 %2 of "
                 "the drawn one")
-                .arg(QString::number(choice_->error, 'g', 2)));
+                .arg(QString::number(choice_->error, 'g', 2),
+                     QString::fromStdString(context.document.scene().units())));
     else
         context.hint(QString::fromStdString(loops.error().sentence()));
     context.redraw();

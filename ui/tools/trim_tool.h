@@ -35,7 +35,7 @@ private:
         ObjectId object{};
         SharedObject before;
         std::array<Result<std::vector<TrimLoop>>, 2> loops;
-        KeptSide shown = KeptSide::outside;
+        std::optional<KeptSide> shown;
         double error = 0;  // of the curve in space
     };
 
@@ -43,6 +43,11 @@ private:
     void close(const ToolContext& context);
     [[nodiscard]] Result<Choice> choiceOf(const ToolContext& context) const;
     void showSide(const ToolContext& context, KeptSide side);
+    // Whether there is something to take.
+    [[nodiscard]] bool canTake() const
+    {
+        return choice_->loops[static_cast<size_t>(*choice_->shown)].has_value();
+    }
     [[nodiscard]] PlaneCurve curveThrough(const std::vector<Vec2>& pixels) const;
     [[nodiscard]] std::vector<Vec2> outline(std::vector<Vec2> pixels) const;
     [[nodiscard]] std::vector<Vec2> pixels() const;

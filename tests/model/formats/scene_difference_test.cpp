@@ -95,6 +95,14 @@ TEST(SceneDifference, SeesKnotsTrimCurvesNamesAndColours)
     EXPECT_EQ(other->colours, 1);
 }
 
+TEST(SceneDifference, DoesNotCareWhichLoopComesFirst)
+{
+    const auto difference = differenceBetween(
+        scene(), changed([](SceneObject& object) { std::swap(object.trimLoops[0], object.trimLoops[1]); }));
+    ASSERT_TRUE(difference) << difference.error().sentence();
+    EXPECT_EQ(difference->largest(), 0);
+}
+
 TEST(SceneDifference, DoesNotCareWhereALoopBegins)
 {
     const auto difference =
