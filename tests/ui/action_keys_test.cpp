@@ -9,6 +9,7 @@
 #include <QSettings>
 #include <QTest>
 
+#include "tests/ui/trimmed_object.h"
 #include "tests/ui/window_harness.h"
 #include "ui/actions.h"
 #include "ui/document_files.h"
@@ -18,18 +19,11 @@ namespace {
 
 using namespace knotspan::testing;
 
-// Trimmed to a triangle, so that there are loops to take away.
+// So that there are loops to take away.
 void trim(Document& document, ObjectId id)
 {
-    SceneObject object = *document.scene().find(id);
-    const KnotVector& u = object.surface.knotsU();
-    const KnotVector& v = object.surface.knotsV();
-    const Vec2 low(u.domainStart(), v.domainStart());
-    const Vec2 high(u.domainEnd(), v.domainEnd());
-    std::vector<TrimPoint> points{{low}, {{high.x, low.y}}, {high}, {low}};
-    object.trimLoops = {{true, {TrimCurve::create(KnotVector::clampedUniform(1, 3), points).value()}}};
     Edit edit;
-    edit.set(id, std::make_shared<SceneObject>(std::move(object)));
+    edit.set(id, trimmedToATriangle(*document.scene().find(id)));
     document.apply(edit, "Trim");
 }
 

@@ -11,6 +11,7 @@
 #include <QSettings>
 #include <QTest>
 
+#include "tests/ui/trimmed_object.h"
 #include "tests/ui/window_harness.h"
 #include "ui/command_model.h"
 #include "ui/command_palette.h"
@@ -64,7 +65,8 @@ protected:
         QCoreApplication::processEvents();
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     }
-    // Read from a file, with a selection, something hidden, something locked, a step to undo and one to redo.
+    // Read from a file, with a selection that is trimmed, something hidden, something locked, a step to undo
+    // and one to redo.
     void fill()
     {
         Document& document = window->document();
@@ -72,6 +74,7 @@ protected:
         auto object = document.scene().objects().begin();
         const ObjectId selected = object->first;
         Edit edit;
+        edit.set(selected, trimmedToATriangle(*object->second));
         auto hidden = std::make_shared<SceneObject>(*(++object)->second);
         hidden->visible = false;
         edit.set(object->first, std::move(hidden));
