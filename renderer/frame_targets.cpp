@@ -104,24 +104,38 @@ void FrameTargets::start(VkCommandBuffer commands, bool fresh)
     vkCmdSetScissor(commands, 0, 1, &info.renderArea);
 }
 
-void FrameTargets::pause(VkCommandBuffer commands, VkBuffer depths)
+void FrameTargets::pause(VkCommandBuffer commands, const Copies& copies)
 {
     constexpr VkAccessFlags2 kDepth =
         VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT | VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT;
-    constexpr VkPipelineStageFlags2 kCompute = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
+    constexpr VkAccessFlags2 kColour =
+        VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT;
+    constexpr VkPipelineStageFlags2 kColours = VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT;
+    constexpr VkPipelineStageFlags2 kReaders =
+        VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_2_ALL_GRAPHICS_BIT;
     constexpr VkPipelineStageFlags2 kTransfer = VK_PIPELINE_STAGE_2_TRANSFER_BIT;
+    const bool withColours = copies.colours != VK_NULL_HANDLE;
     vkCmdEndRendering(commands);
     depth_.transition(commands, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, kDepthTests, kDepth, kTransfer,
                       VK_ACCESS_2_TRANSFER_READ_BIT);
+    if (withColours)
+        colour_.transition(commands, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, kColours, kColour, kTransfer,
+                           VK_ACCESS_2_TRANSFER_READ_BIT);
     // What is made next takes the place of what the drawing stages have read and counted.
     memoryBarrier(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_WRITE_BIT,
                   VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
                   VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT);
-    copyPart(commands, depth_, VK_IMAGE_ASPECT_DEPTH_BIT, {{0, 0}, extent_}, depths, 0);
-    memoryBarrier(commands, kTransfer, VK_ACCESS_2_TRANSFER_WRITE_BIT, kCompute,
+    copyPart(commands, depth_, VK_IMAGE_ASPECT_DEPTH_BIT, {{0, 0}, extent_}, copies.depths,
+             copies.depthsFrom);
+    if (withColours)
+        copyPart(commands, colour_, VK_IMAGE_ASPECT_COLOR_BIT, {{0, 0}, extent_}, copies.colours, 0);
+    memoryBarrier(commands, kTransfer, VK_ACCESS_2_TRANSFER_WRITE_BIT, kReaders,
                   VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT);
     depth_.transition(commands, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, kTransfer,
                       VK_ACCESS_2_TRANSFER_READ_BIT, kDepthTests, kDepth);
+    if (withColours)
+        colour_.transition(commands, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, kTransfer,
+                           VK_ACCESS_2_TRANSFER_READ_BIT, kColours, kColour);
 }
 
 void FrameTargets::resume(VkCommandBuffer commands)

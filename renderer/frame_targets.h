@@ -18,9 +18,14 @@ public:
     // copied.
     void begin(VkCommandBuffer commands);
     void end(VkCommandBuffer commands);
-    // Between begin() and end(): nothing is drawn until resume(), and `depths` gets each pixel's depth so
-    // far.
-    void pause(VkCommandBuffer commands, VkBuffer depths);
+    // Between begin() and end(): nothing is drawn until resume(), and buffers get each pixel's depth so far,
+    // and its colour where one is named. All stages may read them.
+    struct Copies {
+        VkBuffer depths;
+        VkDeviceSize depthsFrom = 0;
+        VkBuffer colours = VK_NULL_HANDLE;
+    };
+    void pause(VkCommandBuffer commands, const Copies& copies);
     void resume(VkCommandBuffer commands);
 
     [[nodiscard]] KsQuadIndices readKsQuads() const;

@@ -154,8 +154,7 @@ Result<bool> Renderer::present(Swapchain& swapchain)
 {
     if (!parts_->lastFrame)
         return failure("There is no picture yet", "Draw a frame first");
-    return guarded([&] { return swapchain.parts().images.show(parts_->shown()); },
-                   &parts_->deviceLost);
+    return guarded([&] { return swapchain.parts().images.show(parts_->shown()); }, &parts_->deviceLost);
 }
 
 Result<std::vector<CapturedVertex>> Renderer::captureVertices(const Frame& frame)

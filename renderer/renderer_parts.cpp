@@ -50,6 +50,7 @@ Renderer::Parts::Parts(std::unique_ptr<Instance> madeInstance, const RendererOpt
       marks(device, bindings, uploader),
       spaceLines(device, bindings, uploader),
       strokes(device, bindings, uploader),
+      trimEdges(device, bindings),
       spanPlaceRecords(bindings, uploader, BINDING_SPAN_PLACES),
       deviationRecords(bindings, uploader, BINDING_DEVIATIONS)
 {
@@ -186,6 +187,8 @@ FrameStats Renderer::Parts::draw(const Frame& wantedFrame, bool capture)
             deviations.follow(scene.residents(), frame.deviations, &scene.changes()))
             deviationRecords.send(deviations.words());
         prepareOverlays(frame.overlays);
+        if (hasTrimEdges(frame))
+            trimEdges.prepare(targets->extent());
         uploaded += drawWhole(frame, path, rule, capture, started);
     } catch (...) {
         // Nobody knows what arrived: the next frame sends everything again.

@@ -16,6 +16,7 @@
 #include "renderer/overlays/rejected_outlines.h"
 #include "renderer/overlays/space_lines.h"
 #include "renderer/overlays/strokes.h"
+#include "renderer/overlays/trim_edges.h"
 #include "renderer/paths/surface_path.h"
 #include "renderer/point_evaluation.h"
 #include "renderer/sampling/sampling_pass.h"
@@ -76,6 +77,7 @@ struct Renderer::Parts {
     Marks marks;
     SpaceLinesOverlay spaceLines;
     Strokes strokes;
+    TrimEdges trimEdges;
     SentRecords<float> spanPlaceRecords;
     SentRecords<std::uint32_t> deviationRecords;
     std::map<std::pair<PathId, PathVariant>, std::unique_ptr<SurfacePath>>
@@ -115,6 +117,7 @@ private:
     VkDeviceSize drawWhole(const Frame& frame, SurfacePath& path, SamplingRule rule, bool capture,
                            std::chrono::steady_clock::time_point started);
     void record(VkCommandBuffer commands, const Frame& frame, const SurfacePath& path);
+    [[nodiscard]] bool hasTrimEdges(const Frame& frame) const;
     void prepareOverlays(const Overlays& overlays);
     void drawOverlays(VkCommandBuffer commands, const Frame& frame) const;
     // The objects on the device whose nets are shown.

@@ -39,6 +39,7 @@ std::vector<HeldMemory> Renderer::Parts::memory() const
     facing.listMemory(held);
     culling.listMemory(held);
     pyramid.listMemory(held);
+    trimEdges.listMemory(held);
     if (noted_)
         held.push_back({"culling verdicts", verdicts_.bytes()});
     sampling.listMemory(held);

@@ -34,7 +34,7 @@ void Renderer::Parts::record(VkCommandBuffer commands, const Frame& frame, const
     if (anything)
         drawMade();
     if (anything && path.tiles() && isByOcclusion(frame)) {
-        targets->pause(commands, pyramid.pixels());
+        targets->pause(commands, {pyramid.pixels()});
         clock.lap(commands, GpuStage::drawing);
         bindings.bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE);
         pyramid.record(commands, counters.buffer(), offsetof(gpu::Counters, pyramidLevel));
@@ -46,6 +46,12 @@ void Renderer::Parts::record(VkCommandBuffer commands, const Frame& frame, const
     }
     bindings.bind(commands, VK_PIPELINE_BIND_POINT_GRAPHICS);
     meshes.draw(commands, frame.camera, frame.overlays.highlighted);
+    if (hasTrimEdges(frame)) {
+        targets->pause(commands, {trimEdges.pixels(), trimEdges.depthsFrom(), trimEdges.pixels()});
+        trimEdges.find(commands);
+        targets->resume(commands);
+        trimEdges.draw(commands);
+    }
     if (anything && frame.cullingCamera)
         rejectedOutlines.draw(commands, scene.ksquadCount());
     drawOverlays(commands, frame);
@@ -56,6 +62,12 @@ void Renderer::Parts::record(VkCommandBuffer commands, const Frame& frame, const
     if (anything && frameRecord_->judgedBits != 0)
         wrongCulls.record(commands, scene.ksquadCount(), specializationFor(scene.evaluator()));
     counters.fetch(commands);
+}
+
+// Error shading has figures for colours.
+bool Renderer::Parts::hasTrimEdges(const Frame& frame) const
+{
+    return scene.isTrimmed() && frame.shading != Shading::error;
 }
 
 void Renderer::Parts::prepareOverlays(const Overlays& overlays)

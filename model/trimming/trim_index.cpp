@@ -127,11 +127,13 @@ public:
 
     [[nodiscard]] std::vector<std::uint32_t> record() const
     {
-        std::vector<std::uint32_t> words{static_cast<std::uint32_t>(bands_.size())};
+        // Until it is known better (fillRows), any square may have a curve.
+        std::vector<std::uint32_t> words(TRIM_ROWS, ~0U);
+        words.push_back(static_cast<std::uint32_t>(bands_.size()));
         size_t cellCount = 0;
         for (const Band& band : bands_)
             cellCount += band.cells.size();
-        const size_t firstCell = 1 + 3 * bands_.size();
+        const size_t firstCell = TRIM_ROWS + 1 + 3 * bands_.size();
         const size_t firstList = firstCell + 4 * cellCount;
         size_t lists = 0;
         for (const Band& band : bands_)
@@ -184,7 +186,7 @@ private:
             band.pieces.push_back(k);
             // Nothing crosses a level piece, but above it all is otherwise than below.
             if (piece.lowY == piece.highY) {
-                parts.push_back({piece.lowX, piece.highX, {}});
+                parts.push_back({piece.lowX, piece.highX, {k}});
                 continue;
             }
             const auto [left, right] = piece.within(bottom, top);
@@ -231,7 +233,7 @@ private:
 
     void halve()
     {
-        constexpr double kCheap = 1e-3;
+        constexpr double kCheap = 0.02;
         const size_t limit = entries_ + kMostBandsAtWill * pieces_.size() + 16;
         std::priority_queue<std::pair<double, size_t>> dearest;
         for (size_t k = 0; k < bands_.size(); ++k)
@@ -244,7 +246,7 @@ private:
                 continue;
             Band lower = made(bands_[k].bottom, middle, bands_[k].pieces);
             Band upper = made(middle, bands_[k].top, bands_[k].pieces);
-            if (lower.cost() + upper.cost() > 0.9 * cost)
+            if (lower.cost() + upper.cost() > 0.75 * cost)
                 continue;
             entries_ += lower.entries() + upper.entries() - bands_[k].entries();
             bands_[k] = std::move(lower);
@@ -261,6 +263,26 @@ private:
     size_t entries_ = 0;
 };
 
+// The squares of a KSQuad's rows, by fours: most are far from curves together.
+void fillRows(std::vector<std::uint32_t>& words, std::uint32_t ksquad, std::uint32_t x, std::uint32_t y,
+              std::uint32_t size)
+{
+    constexpr float kGrown = 1e-5F;  // no point of a square may fall into another one by rounding
+    const float half = static_cast<float>(size) / (2 * TRIM_ROWS);
+    const gpu::vec2 middle =
+        gpu::vec2(static_cast<float>(x), static_cast<float>(y)) / static_cast<float>(TRIM_ROWS) + half;
+    const gpu::uint side = gpu::trimSide(Source{words}, ksquad, middle, gpu::vec2(half + kGrown));
+    if (side == TRIM_NEAR) {
+        if (const std::uint32_t part = size / 2; part > 0)
+            for (const std::uint32_t k : {0U, 1U, 2U, 3U})
+                fillRows(words, ksquad, x + part * (k & 1U), y + part * (k >> 1U), part);
+        return;
+    }
+    for (std::uint32_t row = y; row < y + size; ++row)
+        for (std::uint32_t square = x; square < x + size; ++square)
+            words[words[ksquad] + row] ^= (TRIM_NEAR ^ side) << (2 * square);
+}
+
 }  // namespace
 
 Result<TrimIndex> TrimIndex::create(const TrimRegion& region)
@@ -270,7 +292,7 @@ Result<TrimIndex> TrimIndex::create(const TrimRegion& region)
     const auto countV = static_cast<size_t>(region.countV());
     index.ksquads_ = static_cast<std::uint32_t>(countU * countV);
     // No record starts at a place that is also a verdict.
-    index.words_.assign(std::max(index.ksquads_, TRIM_OUTSIDE + 1), TRIM_INSIDE);
+    index.words_.assign(std::max(index.ksquads_, TRIM_RECORDS), TRIM_INSIDE);
     if (!region.isTrimmed())
         return index;
     std::vector<std::vector<const RegionPiece*>> pieces(countU * countV);
@@ -308,6 +330,7 @@ Result<TrimIndex> TrimIndex::create(const TrimRegion& region)
                 word = static_cast<std::uint32_t>(index.words_.size());
                 const auto record = ksquad.record();
                 index.words_.insert(index.words_.end(), record.begin(), record.end());
+                fillRows(index.words_, static_cast<std::uint32_t>(a * countV + b), 0, 0, TRIM_ROWS);
             }
             left = std::move(passed);
             normalise(left);
@@ -326,6 +349,14 @@ KsQuadTrim TrimIndex::classOf(std::uint32_t ksquad) const
     default:
         return KsQuadTrim::cut;
     }
+}
+
+KsQuadTrim TrimIndex::sideOf(std::uint32_t ksquad, const Vec2& place, const Vec2& reach) const
+{
+    const gpu::uint side = gpu::trimSide(Source{words_}, ksquad, gpu::vec2(place), gpu::vec2(reach));
+    return side == TRIM_NEAR     ? KsQuadTrim::cut
+           : side == TRIM_INSIDE ? KsQuadTrim::inside
+                                 : KsQuadTrim::outside;
 }
 
 bool TrimIndex::contains(std::uint32_t ksquad, float x, float y) const

@@ -39,7 +39,7 @@ struct CullSource {
     [[nodiscard]] gpu::uint trimVerdict(gpu::uint k) const
     {
         const Resident& resident = scene.residents()[scene.ksquad(k).surface];
-        return isTrimmed(resident) ? resident.trim->index->words()[k - resident.firstKsquad] : TRIM_INSIDE;
+        return isTrimmed(resident) ? resident.trim->index->words()[k - resident.firstKsquad] : TRIM_WHOLE;
     }
 
     [[nodiscard]] gpu::vec3 position(gpu::uint k, const gpu::vec2& t) const

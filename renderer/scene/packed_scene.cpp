@@ -136,17 +136,17 @@ std::vector<std::uint32_t> packTrims(const std::vector<Resident>& residents)
     const Resident& last = residents.back();
     const size_t ksquads = last.firstKsquad + ksQuadCount(last.object->surface);
     // No record starts at a place that is also a verdict.
-    std::vector<std::uint32_t> packed(std::max(ksquads, size_t{TRIM_OUTSIDE + 1}), TRIM_INSIDE);
+    std::vector<std::uint32_t> packed(std::max(ksquads, size_t{TRIM_RECORDS}), TRIM_WHOLE);
     for (const Resident& resident : residents) {
         if (!isTrimmed(resident))
             continue;
         const TrimIndex& index = *resident.trim->index;
         const std::vector<std::uint32_t>& words = index.words();
-        const size_t records = std::max(index.ksquadCount(), TRIM_OUTSIDE + 1);
+        const size_t records = std::max(index.ksquadCount(), TRIM_RECORDS);
         const size_t moved = packed.size() - records;
         for (size_t k = 0; k < index.ksquadCount(); ++k)
             packed[resident.firstKsquad + k] =
-                words[k] > TRIM_OUTSIDE ? static_cast<std::uint32_t>(words[k] + moved) : words[k];
+                words[k] >= TRIM_RECORDS ? static_cast<std::uint32_t>(words[k] + moved) : words[k];
         packed.insert(packed.end(), words.begin() + static_cast<std::ptrdiff_t>(records), words.end());
     }
     return packed;

@@ -56,6 +56,7 @@ struct GraphicsPipelineInfo {
     std::initializer_list<const char*> stages;  // file names: "surface.frag"
     VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
     bool overlay = false;  // blended, writes neither depth nor the surface's index
+    bool opaque = false;   // overlays: takes the place of what is there, opacity included
     bool lines = false;    // for overlays
     Specialization specialization;
 };

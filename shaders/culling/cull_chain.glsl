@@ -20,8 +20,8 @@ layout(set = 0, binding = BINDING_FACING, scalar) readonly buffer FacingBuffer {
 
 layout(set = 0, binding = BINDING_TRIM_WORDS, scalar) readonly buffer TrimBuffer { uint trimWords[]; };
 #include "../shared/trimming.glsl"
-// Above TRIM_OUTSIDE it is another one for each point.
-uint trimVerdict(uint ksquad) { return (frame.flags & FRAME_TRIMMED) == 0u ? TRIM_INSIDE : trimWords[ksquad]; }
+// From TRIM_RECORDS on it is another one for each point.
+uint trimVerdict(uint ksquad) { return (frame.flags & FRAME_TRIMMED) == 0u ? TRIM_WHOLE : trimWords[ksquad]; }
 #include "trimmed.glsl"
 
 #define NOT_CULLED (-1)

@@ -53,6 +53,7 @@
 #define KNOTSPAN_TRIM_VERDICT(index) source.trimVerdict(index)
 #define KNOTSPAN_OVERSAMPLES(flags) false
 #define KNOTSPAN_OF_REAL <Real>
+#define KNOTSPAN_INOUT(type) type&
 #define KNOTSPAN_OF_SOURCE <Source>
 #define KNOTSPAN_FLOAT2 vec2
 #define KNOTSPAN_FLOAT_MAP PixelMap<float>
@@ -107,6 +108,7 @@ using glm::vec4;
 #define KNOTSPAN_OVERSAMPLES(flagsOfBorder) \
     ((frame.flags & (((flagsOfBorder) & BORDER_FRIEND) == 0u ? FRAME_OVERSAMPLE_STRANGERS : FRAME_OVERSAMPLE_FRIENDS)) != 0u)
 #define KNOTSPAN_OF_REAL
+#define KNOTSPAN_INOUT(type) inout type
 #define KNOTSPAN_OF_SOURCE
 #define KNOTSPAN_FLOAT2 vec2
 #define KNOTSPAN_FLOAT_MAP PixelMap

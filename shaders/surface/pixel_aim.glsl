@@ -30,11 +30,17 @@ const float kBeyond = 0.05;
 
 PixelPlace stepped(uint surface, PixelPlace place, vec2 change)
 {
+    vec2 t = place.t + change;
+    if (all(greaterThanEqual(t, vec2(0.0))) && all(lessThan(t, vec2(1.0))))
+        return PixelPlace(place.ksquad, t);
     uint first = surfaces[surface].firstKsquad;
+    uint spansU = surfaces[surface].spansU;
     uint spansV = surfaces[surface].spansV;
-    vec2 spans = vec2(surfaces[surface].spansU, spansV);
+    if (spansU + spansV == 2u)
+        return PixelPlace(place.ksquad, clamp(t, vec2(-kBeyond), vec2(1.0 + kBeyond)));
     vec2 before = vec2((place.ksquad - first) / spansV, (place.ksquad - first) % spansV);
-    vec2 at = clamp(before + place.t + change, vec2(-kBeyond), spans + kBeyond);
+    vec2 spans = vec2(spansU, spansV);
+    vec2 at = clamp(before + t, vec2(-kBeyond), spans + kBeyond);
     vec2 now = clamp(floor(at), vec2(0.0), spans - 1.0);
     return PixelPlace(first + uint(now.x) * spansV + uint(now.y), at - now);
 }

@@ -1,6 +1,9 @@
 // Pixels of which trim loops leave nothing: they get no colour, no index and no depth. Stages that know of them are compiled
 // with KNOTSPAN_TRIMMED, and drawn with where a surface is trimmed.
 //
+// Where the border of what is left runs near the pixel's centre, the colour's opacity says where (trim_edge.glsl), for the
+// stage that smooths it.
+//
 // Differences between pixels are to be taken before: a discarded pixel has none, and the software driver runs no loops for
 // the pixels beside a triangle.
 #ifdef KNOTSPAN_TRIMMED
@@ -8,33 +11,79 @@ layout(set = 0, binding = BINDING_TRIM_WORDS, scalar) readonly buffer TrimBuffer
 
 #include "../shared/trimming.glsl"
 #include "pixel_aim.glsl"
+#include "trim_edge.glsl"
 
-// The place of the surface that this pixel shows, where loops cut its KSQuad. The triangle lies beside the surface, by as
-// much as the tolerance: one step towards the pixel's centre, so that surfaces that meet along a loop leave no pixel between
-// them, however each is cut into triangles.
-PixelPlace trimmedPlace()
+// Beyond that nobody takes it for a tolerance.
+const float kMostMissed = 4.0;
+// A flat surface's triangles are the surface itself.
+bool isFlat(uint surface) { return max(surfaces[surface].degreeU, surfaces[surface].degreeV) == 1u; }
+// A pixel, and what the triangle may lie beside the surface.
+float reachPx(uint surface) { return TRIM_EDGE_REACH + (isFlat(surface) ? 0.0 : min(frame.tolerancePx, kMostMissed)); }
+
+// Parameters run the way that the tolerance is about (surface_io.glsl).
+vec2 aimedT() { return inInverseWeight > 0.0 ? inWeightedT / inInverseWeight : inT; }
+mat2 aimedChanges() { return mat2(dFdx(aimedT()), dFdy(aimedT())); }
+
+// What loops leave of all places that this pixel and its neighbours may show: TRIM_INSIDE, TRIM_OUTSIDE, or TRIM_NEAR.
+// Looks at words only that hold for many places.
+uint sideAround(PixelPlace place, uint word, vec2 reach)
 {
-    const float kMostMissed = 4.0;  // pixels, beyond what anyone takes for a tolerance; and of a KSQuad:
-    const float kMostChange = 0.5;
-    // Parameters run the way that the tolerance is about (surface_io.glsl).
-    PixelPlace place = pixelPlace(inInverseWeight > 0.0 ? inWeightedT / inInverseWeight : inT);
-    if (trimWords[place.ksquad] <= TRIM_OUTSIDE)
-        return place;
+    bool isWithin = all(greaterThan(place.t, reach)) && all(lessThan(place.t, 1.0 - reach));
+    if (word >= TRIM_RECORDS)
+        return trimRowSide(word, place.t - reach, place.t + reach);
+    if (isWithin)
+        return word;
     uint surface = ksquads[place.ksquad].surface;
+    for (int k = 0; k < 4; ++k) {
+        vec2 corner = reach * vec2((k & 1) != 0 ? 1.0 : -1.0, (k & 2) != 0 ? 1.0 : -1.0);
+        if (trimWords[stepped(surface, place, corner).ksquad] != word)
+            return TRIM_NEAR;
+    }
+    return word;
+}
+
+// The triangle lies beside the surface, by as much as the tolerance: one step towards the pixel's centre, so that surfaces
+// that meet along a loop leave no pixel between them, however each is cut into triangles.
+// `along`: how t changes from pixel to pixel there.
+PixelPlace aimedPlace(uint surface, PixelPlace place, inout mat2 along)
+{
+    const float kMostChange = 0.5;  // of a KSQuad
+    if (isFlat(surface))
+        return place;
     SurfaceSample at = sampleKsQuad(ksquads[place.ksquad], place.t);
     mat3 turn = mat3(surfaceViews[surface].modelView);
     Aim aim = aimOf(toView(surface, at.position), turn * at.du, turn * at.dv);
     vec2 change = aim.along[0] * aim.missed.x + aim.along[1] * aim.missed.y;
-    bool isNear = length(aim.missed) < kMostMissed && max(abs(change.x), abs(change.y)) < kMostChange;
-    return isNear ? stepped(surface, place, change) : place;
+    if (!(length(aim.missed) < kMostMissed && max(abs(change.x), abs(change.y)) < kMostChange))
+        return place;
+    along = mat2(aim.along[0], aim.along[1]);
+    return stepped(surface, place, change);
 }
 
-void discardTrimmed()
+// Returns the colour's opacity. `along`: how aimedT() changes from pixel to pixel.
+float discardTrimmed(mat2 along)
 {
-    PixelPlace place = trimmedPlace();
-    if (!trimContains(place.ksquad, place.t))
+    PixelPlace place = pixelPlace(aimedT());
+    uint word = trimWords[place.ksquad];
+    if (word == TRIM_WHOLE)
+        return 1.0;
+    uint surface = ksquads[place.ksquad].surface;
+    uint side = sideAround(place, word, reachPx(surface) * (abs(along[0]) + abs(along[1])));
+    if (side == TRIM_OUTSIDE)
         discard;
+    if (side != TRIM_NEAR)
+        return 1.0;
+    place = aimedPlace(surface, place, along);
+    word = trimWords[place.ksquad];
+    PlaceInLoops found = PlaceInLoops(word != TRIM_OUTSIDE, FAR_FROM_EDGES);
+    if (word >= TRIM_RECORDS)
+        found = placeInLoops(word, clamp(place.t, 0.0, 1.0), inverse(along),
+                             TRIM_EDGE_REACH * (abs(along[0]) + abs(along[1])));
+    if (!found.inside)
+        discard;
+    return opacityAt(surface, place, along, found.distances);
 }
 #else
-void discardTrimmed() {}
+mat2 aimedChanges() { return mat2(0.0); }
+float discardTrimmed(mat2 along) { return 1.0; }
 #endif

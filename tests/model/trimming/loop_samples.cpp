@@ -101,6 +101,30 @@ TrimCurve circle(const Vec2& centre, double radius, bool anticlockwise)
         .value();
 }
 
+namespace {
+
+// What the index says of boxes of all sizes, against single places in them.
+void compareBoxes(const TrimIndex& index, std::uint32_t ksquad, const Vec2& place, std::mt19937& random,
+                  Counts& counts)
+{
+    std::uniform_real_distribution<double> share(-1, 1);
+    const Vec2 room = glm::min(place, 1.0 - place);
+    const double size = std::pow(10, -1.5 + 1.5 * share(random));
+    const Vec2 reach = glm::min(size * Vec2(1, std::pow(4, share(random))), room);
+    const KsQuadTrim side = index.sideOf(ksquad, place, reach);
+    bool seen[2] = {};
+    for (int k = 0; k < 16; ++k) {
+        const Vec2 at = place + 0.9999 * reach * (k == 0 ? Vec2(0) : Vec2(share(random), share(random)));
+        const bool inside = index.contains(ksquad, static_cast<float>(at.x), static_cast<float>(at.y));
+        seen[inside ? 1 : 0] = true;
+        counts.wrongBox += side != KsQuadTrim::cut && (side == KsQuadTrim::inside) != inside ? 1 : 0;
+    }
+    counts.unsureBox += side == KsQuadTrim::cut ? 1 : 0;
+    counts.cutBox += seen[0] && seen[1] ? 1 : 0;
+}
+
+}  // namespace
+
 Counts compare(const std::vector<TrimLoop>& loops, const NurbsSurface& surface, double near, int points,
                int samplesPerSpan, bool startsInside)
 {
@@ -128,6 +152,7 @@ Counts compare(const std::vector<TrimLoop>& loops, const NurbsSurface& surface, 
         const KsQuadTrim kind = index->classOf(ksquad);
         counts.wrongClass +=
             kind != KsQuadTrim::cut && (kind == KsQuadTrim::inside) != found && wanted.distance > near;
+        compareBoxes(*index, ksquad, place.t, random, counts);
     }
     return counts;
 }
@@ -137,6 +162,9 @@ void expectRight(const Counts& counts, const std::string& what)
     EXPECT_EQ(counts.wrongRegion, 0) << what;
     EXPECT_EQ(counts.wrongIndex, 0) << what;
     EXPECT_EQ(counts.wrongClass, 0) << what;
+    EXPECT_EQ(counts.wrongBox, 0) << what;
+    // Points in the box miss some curves, and the index is careful.
+    EXPECT_LE(counts.unsureBox, 3 * counts.cutBox + counts.asked / 5) << what;
 }
 
 }  // namespace knotspan::testing

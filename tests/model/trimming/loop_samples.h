@@ -23,6 +23,9 @@ struct Counts {
     int wrongRegion = 0;
     int wrongIndex = 0;  // further from the curves than float tells
     int wrongClass = 0;
+    int wrongBox = 0;  // places that are not what the index said of a box around them
+    int unsureBox = 0;
+    int cutBox = 0;  // the curves run through it
 };
 
 // At random points of the domain, each further than `near` from the loops for the polygons.

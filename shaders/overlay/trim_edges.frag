@@ -1,0 +1,73 @@
+// Smooths where trimmed surfaces end: of a pixel that the border runs through, what the surface covers, and of the rest the
+// pixel beyond. Which pixels those are stages of surfaces said in the opacity (surface/trim_edge.glsl).
+#version 460
+#extension GL_GOOGLE_include_directive : require
+
+#include "drawn_pixels.glsl"
+#include "../surface/trim_edge_code.glsl"
+
+layout(location = 0) out vec4 outColour;
+
+vec3 rgbAt(ivec2 pixel) { return unpackUnorm4x8(colourAt(pixel)).rgb; }
+
+// Whether a pixel shows what lies far behind its neighbours on both sides. A trimmed surface ends exactly at its loop, its
+// neighbour's triangles end up to the tolerance before theirs: that is no gap.
+bool isBetween(ivec2 pixel, ivec2 side)
+{
+    if (!isInPicture(pixel - side) || !isInPicture(pixel + side))
+        return false;
+    float one = depthAt(pixel - side);
+    float other = depthAt(pixel + side);
+    return min(one, other) - depthAt(pixel) > 4.0 * abs(one - other) + 1e-3 * one;
+}
+
+// What a surface that ends before `pixel` ends beside.
+vec3 besideAt(ivec2 pixel, ivec2 side) { return rgbAt(isBetween(pixel, side) ? pixel + side : pixel); }
+
+void main()
+{
+    ivec2 here = ivec2(gl_FragCoord.xy);
+    uint own = colourAt(here);
+    TrimEdge edge = trimEdgeOf(own >> 24);
+    vec3 colour = unpackUnorm4x8(own).rgb;
+    if (edge.isNear && edge.distance < 0.5) {
+        ivec2 beyond = here + edge.side;
+        if (isInPicture(beyond))
+            colour = mix(besideAt(beyond, edge.side), colour, 0.5 + edge.distance);
+        outColour = vec4(colour, 1.0);
+        return;
+    }
+    // What shows between two that meet: from each of four sides to the other one.
+    const ivec2 kAcross[4] = ivec2[4](ivec2(1, 0), ivec2(0, 1), ivec2(1, 1), ivec2(1, -1));
+    int between = 0;
+    vec3 around = vec3(0.0);
+    bool isBesideEdge = false;
+    for (int k = 0; k < 4; ++k) {
+        if (!isBetween(here, kAcross[k]))
+            continue;
+        ++between;
+        around += 0.5 * (rgbAt(here - kAcross[k]) + rgbAt(here + kAcross[k]));
+        isBesideEdge = isBesideEdge || min(colourAt(here - kAcross[k]) >> 24, colourAt(here + kAcross[k]) >> 24) != 255u;
+    }
+    if (between > 1 || (between == 1 && isBesideEdge)) {
+        outColour = vec4(around / float(between), 1.0);
+        return;
+    }
+    // A neighbour in front of it may reach into it.
+    float most = 0.0;
+    vec3 other = vec3(0.0);
+    for (int k = 0; k < 4; ++k) {
+        ivec2 from = here - kTrimSides[k];
+        if (!isInPicture(from))
+            continue;
+        TrimEdge reaching = trimEdgeOf(colourAt(from) >> 24);
+        if (reaching.isNear && reaching.side == kTrimSides[k] && reaching.distance - 0.5 > most &&
+            depthAt(from) >= depthAt(here)) {
+            most = reaching.distance - 0.5;
+            other = rgbAt(from);
+        }
+    }
+    if (most == 0.0 && !edge.isNear)
+        discard;
+    outColour = vec4(mix(colour, other, most), 1.0);
+}
