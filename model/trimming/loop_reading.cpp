@@ -5,7 +5,9 @@
 #include <cstdio>
 #include <optional>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include "model/trimming/loop_chains.h"
 
@@ -18,6 +20,7 @@ constexpr double kSilentGap = 1e-6;     // below, a gap is rounding, and not spo
 constexpr double kSilentBeyond = 1e-6;  // the same of what reaches out of the domain
 constexpr double kMostPeriods = 3;
 
+// Of the curves themselves: control points may stand out far beyond.
 struct Extent {
     Vec2 low{1e300};
     Vec2 high{-1e300};
@@ -25,10 +28,40 @@ struct Extent {
     void add(const LoopChain& chain)
     {
         for (const LoopArc& part : chain)
-            for (const TrimPoint& point : part.arc.points) {
-                low = glm::min(low, point.position);
-                high = glm::max(high, point.position);
-            }
+            add(part.arc, kHalvings);
+    }
+
+private:
+    static constexpr int kHalvings = 14;  // what is left is off by 4^-14 of the arc's size
+
+    void add(const Vec2& place)
+    {
+        low = glm::min(low, place);
+        high = glm::max(high, place);
+    }
+
+    [[nodiscard]] bool holds(const TrimArc& arc) const
+    {
+        return std::all_of(arc.points.begin(), arc.points.end(), [&](const TrimPoint& point) {
+            return glm::all(glm::lessThanEqual(low, point.position)) &&
+                   glm::all(glm::lessThanEqual(point.position, high));
+        });
+    }
+
+    void add(const TrimArc& arc, int halvings)
+    {
+        add(arc.start());
+        add(arc.end());
+        if (holds(arc))
+            return;
+        if (halvings == 0) {
+            for (const TrimPoint& point : arc.points)
+                add(point.position);
+            return;
+        }
+        const auto [below, above] = split(arc, 0.5);
+        add(below, halvings - 1);
+        add(above, halvings - 1);
     }
 };
 

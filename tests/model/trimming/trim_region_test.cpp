@@ -256,6 +256,25 @@ TEST(TrimRegion, WhatReachesBeyondTheSurfaceIsCutOffThereAndSaid)
             EXPECT_GE(chain[k].points.front().position.x, 0);
 }
 
+// A circle of three arcs: its control points stand at twice the radius.
+TEST(TrimRegion, ControlPointsBeyondTheSurfaceAreNotSpokenOf)
+{
+    std::vector<TrimPoint> points;
+    for (int k = 0; k <= 6; ++k) {
+        const double angle = (k % 6) * std::acos(-1.0) / 3;
+        const double reach = k % 2 == 0 ? 0.9 : 1.8;
+        points.push_back(
+            {Vec2(1, 11) + reach * Vec2(std::cos(angle), std::sin(angle)), k % 2 == 0 ? 1.0 : 0.5});
+    }
+    const std::vector<TrimLoop> loops{
+        {true,
+         {TrimCurve::create(KnotVector::create(2, {0, 0, 0, 1, 1, 2, 2, 3, 3, 3}).value(), points).value()}}};
+    const TrimRegion region(loops, flatSurface());
+    EXPECT_TRUE(region.isTrimmed());
+    EXPECT_EQ(region.report(), std::vector<std::string>());
+    expectRight(compare(loops, flatSurface(), 1e-4), "three arcs");
+}
+
 TEST(TrimRegion, AnOpenLoopIsRefusedAndSaid)
 {
     const TrimRegion region({{true, {polyline({{0, 10.5}, {2, 10.5}, {2, 11.5}})}}}, flatSurface());
