@@ -4,7 +4,7 @@
 #include <fstream>
 #include <map>
 
-#include "model/cad/step_format.h"
+#include "model/formats/format_list.h"
 #include "model/geometry/ksquad.h"
 #include "tests/corpus/picture_comparison.h"
 
@@ -125,11 +125,13 @@ public:
     {
         result_.corpus = file.corpus;
         result_.file = file.name;
+        result_.format = cadFormatOf(file);
     }
 
     ComparedFile run(const std::filesystem::path& path, const std::optional<std::filesystem::path>& pictures)
     {
-        const auto import = formats::readStep(path);
+        const formats::Format* format = formats::find(path);
+        const auto import = format->readIsolated(path, {});  // a test may crash
         if (!import)
             return unread(import.error());
         const auto mesh = fineMeshOf(path, kFineness);
@@ -210,6 +212,8 @@ private:
             result_.worst = difference.ratio();
             result_.worstView = view.name;
         }
+        result_.silhouette += difference.silhouette;
+        result_.unlike += difference.unlike;
         result_.gaps += difference.gaps;
         result_.leaks += difference.leaks;
         result_.wide += difference.wide;

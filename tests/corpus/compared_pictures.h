@@ -1,4 +1,5 @@
-// A STEP file as Knotspan draws it beside what OpenCASCADE makes of it, from six sides and in perspective.
+// A STEP, IGES or BREP file as Knotspan draws it beside what OpenCASCADE makes of it, from six sides and in
+// perspective.
 #pragma once
 
 #include <filesystem>
@@ -19,6 +20,7 @@ inline constexpr double kMostStray = 1e-5;
 struct ComparedFile {
     std::string corpus;
     std::string file;
+    std::string format;
     std::string unread;  // why there is nothing to compare; empty: there is
     int faces = 0;
     int trimmed = 0;    // drawn with loops
@@ -28,6 +30,8 @@ struct ComparedFile {
     double worst = 0;   // share of the silhouette's pixels that are off, in the worst view
     std::string worstView;
     // Pixels of all views (picture_comparison.h).
+    size_t silhouette = 0;
+    size_t unlike = 0;
     size_t gaps = 0;
     size_t leaks = 0;
     size_t wide = 0;
@@ -47,12 +51,13 @@ struct ComparedFile {
 [[nodiscard]] ComparedFile comparedPictures(Renderer& renderer, const ModelFile& file,
                                             const std::optional<std::filesystem::path>& pictures);
 
-[[nodiscard]] bool isStep(const ModelFile& file);
+// "STEP", "IGES", "BREP"; empty: another format, of which OpenCASCADE makes nothing.
+[[nodiscard]] std::string cadFormatOf(const ModelFile& file);
 
 // A line of tab-separated values, and what they are.
 [[nodiscard]] std::string lineOf(const ComparedFile& compared);
 [[nodiscard]] std::string headerOfComparisons();
-// In Markdown: a row a corpus.
+// In Markdown: a row a corpus and format.
 [[nodiscard]] std::string tableOf(const std::vector<ComparedFile>& compared);
 
 }  // namespace knotspan::corpus

@@ -1,10 +1,10 @@
 // What became of files whose pictures were compared, for people.
 #include <algorithm>
-#include <cctype>
 #include <iomanip>
 #include <map>
 #include <sstream>
 
+#include "model/formats/format_list.h"
 #include "tests/corpus/compared_pictures.h"
 
 namespace knotspan::corpus {
@@ -17,6 +17,9 @@ struct Row {
     int faces = 0;
     int trimmed = 0;
     int untrimmed = 0;
+    size_t silhouette = 0;
+    size_t unlike = 0;
+    size_t shown = 0;
     size_t openings = 0;
     size_t wide = 0;
     size_t otherFaces = 0;
@@ -32,6 +35,9 @@ struct Row {
         faces += one.faces;
         trimmed += one.trimmed;
         untrimmed += one.untrimmed;
+        silhouette += one.silhouette;
+        unlike += one.unlike;
+        shown += one.shown;
         openings += one.gaps + one.leaks;
         wide += one.wide;
         otherFaces += one.otherFaces;
@@ -41,17 +47,18 @@ struct Row {
 
 }  // namespace
 
-bool isStep(const ModelFile& file)
+std::string cadFormatOf(const ModelFile& file)
 {
-    std::string extension = file.path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension == ".step" || extension == ".stp" || extension == ".p21";
+    const formats::Format* format = formats::find(file.path);
+    const bool cad =
+        format != nullptr && (format->name == "STEP" || format->name == "IGES" || format->name == "BREP");
+    return cad ? format->name : std::string();
 }
 
 std::string headerOfComparisons()
 {
-    return "corpus\tfile\tagrees\tfaces\ttrimmed\tuntrimmed\trefused\tunmeshed\tworst\tview\tgaps\tleaks\twid"
+    return "corpus\tfile\tagrees\tfaces\ttrimmed\tuntrimmed\trefused\tunmeshed\tworst\tview\tsilhouette\tunli"
+           "ke\tgaps\tleaks\twid"
            "e\t"
            "other_faces\tshown\tslack_px\tunread";
 }
@@ -62,9 +69,9 @@ std::string lineOf(const ComparedFile& one)
     line << one.corpus << '\t' << one.file << '\t'
          << (!one.unread.empty() ? "unread" : (one.agrees() ? "yes" : "NO")) << '\t' << one.faces << '\t'
          << one.trimmed << '\t' << one.untrimmed << '\t' << one.refused << '\t' << one.unmeshed << '\t'
-         << std::setprecision(3) << one.worst << '\t' << one.worstView << '\t' << one.gaps << '\t'
-         << one.leaks << '\t' << one.wide << '\t' << one.otherFaces << '\t' << one.shown << '\t'
-         << one.slackPx << '\t' << one.unread;
+         << std::setprecision(3) << one.worst << '\t' << one.worstView << '\t' << one.silhouette << '\t'
+         << one.unlike << '\t' << one.gaps << '\t' << one.leaks << '\t' << one.wide << '\t' << one.otherFaces
+         << '\t' << one.shown << '\t' << one.slackPx << '\t' << one.unread;
     return line.str();
 }
 
@@ -72,17 +79,19 @@ std::string tableOf(const std::vector<ComparedFile>& compared)
 {
     std::map<std::string, Row> rows;
     for (const ComparedFile& one : compared) {
-        rows[one.corpus].add(one);
-        rows["all"].add(one);
+        rows[one.corpus + ", " + one.format].add(one);
+        rows["all " + one.format].add(one);
     }
     std::ostringstream table;
-    table << "| corpus | STEP files | not read | agree | faces | trimmed | drawn whole | worst silhouette | "
-             "gaps | two pixels wide | another face |\n|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
+    table << "| corpus | files | not read | agree | faces | trimmed | drawn whole | worst silhouette | "
+             "silhouette's "
+             "pixels | unlike | gaps, of pixels | two pixels wide | another face |\n"
+             "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
     for (const auto& [name, row] : rows)
         table << "| " << name << " | " << row.files << " | " << row.unread << " | " << row.agree << " | "
               << row.faces << " | " << row.trimmed << " | " << row.untrimmed << " | " << std::setprecision(2)
-              << 100 * row.worst << " % | " << row.openings << " | " << row.wide << " | " << row.otherFaces
-              << " |\n";
+              << 100 * row.worst << " % | " << row.silhouette << " | " << row.unlike << " | " << row.openings
+              << " of " << row.shown << " | " << row.wide << " | " << row.otherFaces << " |\n";
     return table.str();
 }
 

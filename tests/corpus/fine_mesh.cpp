@@ -4,8 +4,11 @@
 
 #include <BRepBndLib.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
+#include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
+#include <IGESControl_Reader.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
 #include <Poly_Triangulation.hxx>
@@ -14,6 +17,8 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Face.hxx>
+
+#include "model/formats/format_list.h"
 
 namespace knotspan::corpus {
 namespace {
@@ -56,13 +61,30 @@ void take(const TopoDS_Face& face, FineMesh& mesh)
     }
 }
 
-Result<FineMesh> read(const std::filesystem::path& step, double fineness)
+// Null where it cannot be read.
+TopoDS_Shape transferred(XSControl_Reader&& reader, const std::filesystem::path& path)
 {
-    STEPControl_Reader reader;
-    if (reader.ReadFile(step.c_str()) != IFSelect_RetDone)
-        return failure("OpenCASCADE does not read the file");
+    if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
+        return {};
     reader.TransferRoots();
-    const TopoDS_Shape shape = reader.OneShape();
+    return reader.OneShape();
+}
+
+TopoDS_Shape shapeIn(const std::filesystem::path& path)
+{
+    const formats::Format* format = formats::find(path);
+    if (format != nullptr && format->name == "STEP")
+        return transferred(STEPControl_Reader(), path);
+    if (format != nullptr && format->name == "IGES")
+        return transferred(IGESControl_Reader(), path);
+    TopoDS_Shape shape;
+    BRepTools::Read(shape, path.c_str(), BRep_Builder());
+    return shape;
+}
+
+Result<FineMesh> read(const std::filesystem::path& path, double fineness)
+{
+    const TopoDS_Shape shape = shapeIn(path);
     if (shape.IsNull())
         return failure("OpenCASCADE finds no shape");
     const BRepMesh_IncrementalMesh meshing(shape, fineness * diagonalOf(shape), Standard_False, 0.3);
@@ -76,11 +98,11 @@ Result<FineMesh> read(const std::filesystem::path& step, double fineness)
 
 }  // namespace
 
-Result<FineMesh> fineMeshOf(const std::filesystem::path& step, double fineness)
+Result<FineMesh> fineMeshOf(const std::filesystem::path& path, double fineness)
 {
     Message::DefaultMessenger()->ChangePrinters().Clear();
     try {
-        return read(step, fineness);
+        return read(path, fineness);
     } catch (const Standard_Failure& e) {
         return failure(std::string("OpenCASCADE says: ") + e.GetMessageString());
     }

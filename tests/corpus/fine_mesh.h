@@ -1,5 +1,5 @@
-// What OpenCASCADE by itself makes of a STEP file: triangles far finer than a pixel. The second opinion on
-// how a file looks, by other code than ours from the file to the picture.
+// What OpenCASCADE by itself makes of a STEP, IGES or BREP file: triangles far finer than a pixel. The second
+// opinion on how a file looks, by other code than ours from the file to the picture.
 #pragma once
 
 #include <array>
@@ -25,6 +25,6 @@ struct FineMesh {
 };
 
 // No triangle further from its surface than the part `fineness` of the model's diagonal.
-[[nodiscard]] Result<FineMesh> fineMeshOf(const std::filesystem::path& step, double fineness);
+[[nodiscard]] Result<FineMesh> fineMeshOf(const std::filesystem::path& path, double fineness);
 
 }  // namespace knotspan::corpus

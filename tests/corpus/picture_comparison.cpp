@@ -23,6 +23,7 @@ public:
                 const Fault fault = faultAt(x, y);
                 all.faults.push_back(fault);
                 all.shown += theirs_.covered(x, y) ? 1 : 0;
+                all.unlike += (ours_.at(x, y) >= 0) != theirs_.covered(x, y) ? 1 : 0;
                 all.silhouette += isSilhouette(x, y) ? 1 : 0;
                 all.gaps += fault == Fault::gap ? 1 : 0;
                 all.leaks += fault == Fault::leak ? 1 : 0;

@@ -35,6 +35,7 @@ struct PictureDifference {
     int width = 0;
     std::vector<Fault> faults;  // by pixel
     size_t silhouette = 0;      // pixels of theirs beside one that shows nothing
+    size_t unlike = 0;          // pixels that one covers and the other does not
     size_t offSilhouette = 0;   // missing or surplus
     size_t gaps = 0;
     size_t leaks = 0;

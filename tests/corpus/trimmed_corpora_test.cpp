@@ -1,5 +1,5 @@
-// Every STEP file of the corpora (but KiCad's thousands) as we draw it, beside OpenCASCADE's own fine mesh of
-// it: `ctest -L corpus -R trimmed`.
+// Every STEP, IGES and BREP file of the corpora (but KiCad's thousands) as we draw it, beside OpenCASCADE's
+// own fine mesh of it: `ctest -L corpus -R trimmed`.
 //
 //     KNOTSPAN_CORPUS_RESULTS=F    where the table goes, and pictures of what differs
 //     KNOTSPAN_CORPUS_ONLY=NAME    those files only whose name has this in it; any corpus
@@ -32,7 +32,7 @@ std::vector<ModelFile> filesAskedFor(const std::filesystem::path& scratch)
         for (const ModelFile& file : corpus.files) {
             const bool wanted =
                 only.empty() ? corpus.name.rfind("kicad", 0) != 0 : file.name.find(only) != std::string::npos;
-            if (wanted && isStep(file))
+            if (wanted && !cadFormatOf(file).empty())
                 files.push_back(file);
         }
     size_t n = 1;
