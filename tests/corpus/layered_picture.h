@@ -33,6 +33,10 @@ public:
         return {layers_.data() + starts_[pixel], layers_.data() + starts_[pixel + 1]};
     }
     [[nodiscard]] bool covered(int x, int y) const { return !at(x, y).empty(); }
+    // Whether a face passes the pixel that is seen on edge there, thinner than kThinPx, at a depth up to
+    // `depth`: it may show or not, but covers nothing here unless it meets the centre.
+    [[nodiscard]] bool onEdge(int x, int y, int face, double depth) const;
+    static constexpr double kThinPx = 0.05;
 
 private:
     struct Fragment {
@@ -40,11 +44,14 @@ private:
         Layer layer;
     };
     void paint(const Vec3 (&corners)[3], bool orthographic, int face);
+    void markOnEdge(const Vec3 (&corners)[3], int face);
     void sortByPixel();
 
     int width_;
     int height_;
     std::vector<Fragment> fragments_;
+    std::vector<Fragment> onEdge_;       // by pixel
+    std::vector<Layer> nearestOnEdge_;   // of the last face that passed each pixel
     std::vector<std::uint32_t> starts_;  // by pixel, and the end
     std::vector<Layer> layers_;
 };

@@ -1,6 +1,7 @@
 #include "tests/corpus/picture_comparison.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace knotspan::corpus {
 namespace {
@@ -101,9 +102,12 @@ private:
         const int shown = ours_.at(x, y);
         return near(x, y, [&](int i, int j) {
             const auto layers = theirs_.at(i, j);
-            return std::any_of(layers.begin(), layers.end(), [&](const Layer& layer) {
-                return layer.face == shown && layer.depth <= layers.begin()->depth + depthSlack_;
-            });
+            const double depth = layers.empty() ? std::numeric_limits<double>::infinity()
+                                                : layers.begin()->depth + depthSlack_;
+            return theirs_.onEdge(i, j, shown, depth) ||
+                   std::any_of(layers.begin(), layers.end(), [&](const Layer& layer) {
+                       return layer.face == shown && layer.depth <= depth;
+                   });
         });
     }
 

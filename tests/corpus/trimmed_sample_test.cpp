@@ -124,6 +124,18 @@ TEST_F(ComparedPlates, DifferWhereWhatIsBehindShowsBetweenFaces)
     EXPECT_EQ(difference().otherFaces, 0U);
 }
 
+// A wall that stands on the lower plate's outline, seen along itself.
+TEST_F(ComparedPlates, AgreeWhereAFaceShowsThatIsSeenOnEdge)
+{
+    const Vec3 a(100, 60, 20), b(120, 60, 20), c(100, 60, 10);
+    mesh.triangles.push_back({{a, b, c}, 2});
+    copy();
+    show(105, kHeight - 60, 5, 1, 2);
+    EXPECT_EQ(difference().otherFaces + difference().leaks, 0U);
+    show(105, kHeight - 70, 5, 1, 2);
+    EXPECT_EQ(difference().otherFaces, 5U);
+}
+
 TEST_F(ComparedPlates, DifferWhereAHoleShowsWhatIsBehind)
 {
     copy();
