@@ -79,9 +79,12 @@ float discardTrimmed(mat2 along)
     if (word >= TRIM_RECORDS)
         found = placeInLoops(word, clamp(place.t, 0.0, 1.0), inverse(along),
                              TRIM_EDGE_REACH * (abs(along[0]) + abs(along[1])));
-    if (!found.inside)
+    // A loop through the very centre leaves the pixel to both of two that meet there, rather than to neither.
+    const float kRounding = 0.02;
+    vec4 around = found.distances;
+    if (!found.inside && min(min(around.x, around.y), min(around.z, around.w)) > kRounding)
         discard;
-    return opacityAt(surface, place, along, found.distances);
+    return opacityAt(surface, place, along, around);
 }
 #else
 mat2 aimedChanges() { return mat2(0.0); }
