@@ -9,7 +9,6 @@
 #include <glm/trigonometric.hpp>
 
 #include "model/geometry/grid_evaluation.h"
-#include "model/mesh/space_error.h"
 
 namespace knotspan {
 
@@ -75,10 +74,37 @@ int leastRound(bool closed, size_t spans)
     return closed && spans < 3 ? static_cast<int>((3 + spans - 1) / spans) : 1;
 }
 
+// S = X / w: |S_u| = |X_u - S w_u| / w, with S no further than a radius from a middle.
+Vec2 speedsOf(const BezierNet& net)
+{
+    Box box;
+    double lightest = std::numeric_limits<double>::infinity();
+    for (const Vec4& point : net.points) {
+        box.add(Vec3(point) / point.w);
+        lightest = std::min(lightest, point.w);
+    }
+    const Vec3 middle = box.centre();
+    const double radius = box.diagonal() / 2;
+    Vec2 speeds(0.0);
+    const auto add = [&](double& speed, int degree, const Vec4& from, const Vec4& to) {
+        const Vec4 way = to - from;
+        speed =
+            std::max(speed, degree * (glm::length(Vec3(way) - middle * way.w) + radius * std::abs(way.w)));
+    };
+    for (int i = 0; i <= net.degreeU; ++i)
+        for (int j = 0; j <= net.degreeV; ++j) {
+            if (i < net.degreeU)
+                add(speeds.x, net.degreeU, net.at(i, j), net.at(i + 1, j));
+            if (j < net.degreeV)
+                add(speeds.y, net.degreeV, net.at(i, j), net.at(i, j + 1));
+        }
+    return speeds / lightest;
+}
+
 }  // namespace
 
 CellCounts cellCounts(const std::vector<PlacedSurface>& surfaces, double deviation,
-                      std::optional<double> angleDegrees)
+                      std::optional<double> angleDegrees, KsQuadShapes* shapes)
 {
     CellCounts counts;
     for (const PlacedSurface& placed : surfaces) {
@@ -110,6 +136,11 @@ CellCounts cellCounts(const std::vector<PlacedSurface>& surfaces, double deviati
             const Vec3 along = whole.a / (double(grid.u) * grid.u) + whole.c / (double(grid.v) * grid.v);
             counts.rising.push_back(glm::dot(along, whole.b) < 0 ? 1 : 0);
             counts.grids.push_back(grid);
+            if (shapes != nullptr) {
+                error.considerSurface();
+                shapes->whole.push_back(error.whole());
+                shapes->speeds.push_back(speedsOf(net));
+            }
             counts.bounds.push_back(chosen ? chosen->bound : 0);
         }
     }

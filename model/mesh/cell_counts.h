@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "model/analysis/border_curves.h"
-#include "model/analysis/screen_error.h"
+#include "model/mesh/space_error.h"
 
 namespace knotspan {
 
@@ -16,9 +16,15 @@ struct CellCounts {
     std::vector<std::uint32_t> failed;  // KSQuads that would need more than kLargestFactor cells along a side
 };
 
+// What of KSQuads is asked for besides, for triangles of any shape.
+struct KsQuadShapes {
+    std::vector<SpaceWindow> whole;
+    std::vector<Vec2> speeds;  // no point moves faster in space, by each parameter of the KSQuad
+};
+
 // Within `deviation` > 0 of the surface; with an angle normals turn no more than about so far across a cell,
 // which is sampled, not proved.
 [[nodiscard]] CellCounts cellCounts(const std::vector<PlacedSurface>& surfaces, double deviation,
-                                    std::optional<double> angleDegrees);
+                                    std::optional<double> angleDegrees, KsQuadShapes* shapes = nullptr);
 
 }  // namespace knotspan

@@ -34,8 +34,7 @@ Result<ComparedModel> comparedOf(const Scene& scene, double deviation, size_t mo
             return tl::unexpected(made.error());
         result.mesh = std::move(made->mesh);
         result.bound = made->bound;
-        for (const auto& [id, object] : scene.objects())
-            result.trimmed += object->visible && !object->trimLoops.empty() ? 1 : 0;
+        result.uncut = made->uncut;
     }
     addPlacedMeshes(scene, result.mesh);
     if (result.mesh.triangles.empty())
@@ -96,11 +95,12 @@ double ComparedModels::tolerance() const
 
 std::vector<std::string> ComparedModels::notes() const
 {
-    const size_t trimmed = a.trimmed + b.trimmed;
-    if (trimmed == 0)
+    const size_t uncut = a.uncut + b.uncut;
+    if (uncut == 0)
         return {};
-    return {std::to_string(trimmed) + (trimmed == 1 ? " trimmed face was" : " trimmed faces were") +
-            " compared whole, with holes and outlines uncut."};
+    return {std::to_string(uncut) +
+            (uncut == 1 ? " trimmed face was compared whole, because its loops cannot be followed."
+                        : " trimmed faces were compared whole, because their loops cannot be followed.")};
 }
 
 // A first look tells how finely the surfaces have to be taken: far apart, coarse ones will do.

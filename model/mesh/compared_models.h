@@ -11,7 +11,7 @@ struct ComparedModel {
     TriangleMesh mesh;
     double bound =
         0;  // no point of a surface is further from the mesh, none of its triangles further from it
-    size_t trimmed = 0;  // faces that count whole
+    size_t uncut = 0;  // trimmed faces that count whole, because nobody can follow their loops
 };
 
 // In units of the first.

@@ -27,7 +27,10 @@ double distanceToTriangle(const Vec3& point, const std::array<Vec3, 3>& triangle
     const Vec3 ap = point - a;
     const double v = glm::dot(glm::cross(ap, ac), normal);
     const double w = glm::dot(glm::cross(ab, ap), normal);
-    if (squared > 0 && v >= 0 && w >= 0 && v + w <= squared)
+    // The plane of three points in a line is nothing but rounding.
+    constexpr double kFlat = 1e-16;
+    const bool hasPlane = squared > kFlat * glm::dot(ab, ab) * glm::dot(ac, ac);
+    if (hasPlane && v >= 0 && w >= 0 && v + w <= squared)
         return std::abs(glm::dot(ap, normal)) / std::sqrt(squared);
     return std::min({onSegment(a, ab), onSegment(a, ac), onSegment(b, c - b)});
 }
@@ -104,6 +107,42 @@ void DeviationSampler::look()
     v_.clear();
 }
 
+namespace {
+
+// Of the outlines' own curves from the edges that stand for them.
+double measuredAlongChords(const Tessellation& tessellation, const Scene& scene)
+{
+    double largest = 0;
+    for (size_t first = 0; first < tessellation.chords.size();) {
+        const ObjectId object = tessellation.chords[first].object;
+        std::vector<SpanParameter> u;
+        std::vector<SpanParameter> v;
+        size_t end = first;
+        for (; end < tessellation.chords.size() && tessellation.chords[end].object == object; ++end)
+            for (const auto& place : tessellation.chords[end].places) {
+                u.push_back(place[0]);
+                v.push_back(place[1]);
+            }
+        const SharedObject of = scene.find(object);
+        const GridEvaluator<double> evaluator(of->surface, {});
+        GridSamples<double> samples;
+        evaluator.evaluateScattered(u, v, samples, Threads::one);
+        const size_t perChord = tessellation.chords[first].places.size();
+        for (size_t k = 0; k < u.size(); ++k) {
+            const auto& ends = tessellation.chords[first + k / perChord].vertices;
+            const Vec3& a = tessellation.mesh.vertices[ends[0]];
+            const Vec3& b = tessellation.mesh.vertices[ends[1]];
+            const Vec3 point =
+                transformed(samples.origin() + samples.position(0, static_cast<int>(k)), of->transform);
+            largest = std::max(largest, distanceToTriangle(point, {a, b, b}));
+        }
+        first = end;
+    }
+    return largest;
+}
+
+}  // namespace
+
 MeshDeviation measuredDeviation(const Tessellation& tessellation, const Scene& scene, bool angles,
                                 Threads threads)
 {
@@ -142,6 +181,7 @@ MeshDeviation measuredDeviation(const Tessellation& tessellation, const Scene& s
     }
     if (sampler)
         include(sampler->result());
+    result.largest = std::max(result.largest, measuredAlongChords(tessellation, scene));
     return result;
 }
 

@@ -16,7 +16,8 @@ struct MeshDeviation {
 
 // Each triangle against the surface's points at 16 places of its parameters: the largest distance of such a
 // point from the triangle. It may be more than the distance from the mesh, never less, and is never above
-// Tessellation::bound (but for rounding).
+// Tessellation::bound (but for rounding). Along outlines of trimmed faces, points of those against the edges
+// that stand for them.
 [[nodiscard]] MeshDeviation measuredDeviation(const Tessellation& tessellation, const Scene& scene,
                                               bool angles = false, Threads threads = Threads::all);
 

@@ -1,5 +1,7 @@
 #include "model/mesh/facing_out.h"
 
+#include <algorithm>
+
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
@@ -14,17 +16,6 @@ struct Body {
     std::vector<std::uint32_t> surfaces;
     std::vector<char> against;  // the first one, by surface of the list
 };
-
-bool isClosed(const Body& body, const CoincidentEdges& edges)
-{
-    for (const std::uint32_t s : body.surfaces) {
-        const BorderNumbers& numbers = edges.numbers()[s];
-        for (std::uint32_t k = 0; k < numbers.borderCount(); ++k)
-            if (!isManifoldSide(edges, numbers.firstBorder + k))
-                return false;
-    }
-    return true;
-}
 
 // Six times what the triangles of a surface add to the volume, seen from a point.
 double swept(const TriangleMesh& mesh, size_t first, size_t end, const Vec3& from)
@@ -41,8 +32,8 @@ double swept(const TriangleMesh& mesh, size_t first, size_t end, const Vec3& fro
 }  // namespace
 
 FacingOut facingOut(const TriangleMesh& mesh, const std::vector<size_t>& firstTriangles,
-                    const std::vector<PlacedSurface>& surfaces, const CoincidentEdges& edges,
-                    const std::vector<MeshVertices::Seam>& seams)
+                    const std::vector<PlacedSurface>& surfaces, const std::vector<MeshVertices::Seam>& seams,
+                    const std::vector<char>& closed)
 {
     FacingOut result;
     result.turned.assign(surfaces.size(), 0);
@@ -82,11 +73,66 @@ FacingOut facingOut(const TriangleMesh& mesh, const std::vector<size_t>& firstTr
             const bool mirrored = glm::determinant(glm::dmat3(surfaces[s].transform)) < 0;
             kept += (mirrored == (body.against[k] != 0) ? 1.0 : -1.0) * static_cast<double>(end - first);
         }
-        const bool over = isClosed(body, edges) && !twisted && volume != 0 ? volume < 0 : kept < 0;
+        const bool isClosed = std::all_of(body.surfaces.begin(), body.surfaces.end(),
+                                          [&](std::uint32_t s) { return closed[s] != 0; });
+        const bool over = isClosed && !twisted && volume != 0 ? volume < 0 : kept < 0;
         for (size_t k = 0; k < body.surfaces.size(); ++k)
             result.turned[body.surfaces[k]] = (body.against[k] != 0) != over ? 1 : 0;
     }
     return result;
+}
+
+std::vector<char> closedAllAround(const CoincidentEdges& edges)
+{
+    std::vector<char> closed;
+    for (const BorderNumbers& numbers : edges.numbers()) {
+        closed.push_back(1);
+        for (std::uint32_t k = 0; k < numbers.borderCount(); ++k)
+            if (!isManifoldSide(edges, numbers.firstBorder + k))
+                closed.back() = 0;
+    }
+    return closed;
+}
+
+void turnOut(Tessellation& tessellation, const FacingOut& facing, const std::vector<size_t>& firstTriangles)
+{
+    for (size_t s = 0; s < facing.turned.size(); ++s)
+        if (facing.turned[s] != 0)
+            for (size_t k = firstTriangles[s]; k < firstTriangles[s + 1]; ++k) {
+                std::swap(tessellation.mesh.triangles[k][1], tessellation.mesh.triangles[k][2]);
+                std::swap(tessellation.parameters[k][1], tessellation.parameters[k][2]);
+            }
+    if (facing.twisted)
+        tessellation.notes.push_back(
+            "Some surfaces are joined so that they have only one side; their triangles "
+            "cannot all be turned one way.");
+}
+
+void dropUnused(Tessellation& tessellation)
+{
+    std::vector<Vec3>& vertices = tessellation.mesh.vertices;
+    std::vector<std::uint32_t> number(vertices.size(), UINT32_MAX);
+    for (const Triangle& triangle : tessellation.mesh.triangles)
+        for (const std::uint32_t vertex : triangle)
+            number[vertex] = 0;
+    for (const OutlineChord& chord : tessellation.chords)
+        for (const std::uint32_t vertex : chord.vertices)
+            number[vertex] = 0;
+    std::uint32_t count = 0;
+    for (size_t k = 0; k < vertices.size(); ++k)
+        if (number[k] == 0) {
+            number[k] = count;
+            vertices[count++] = vertices[k];
+        }
+    if (count == vertices.size())
+        return;
+    vertices.resize(count);
+    for (Triangle& triangle : tessellation.mesh.triangles)
+        for (std::uint32_t& vertex : triangle)
+            vertex = number[vertex];
+    for (OutlineChord& chord : tessellation.chords)
+        for (std::uint32_t& vertex : chord.vertices)
+            vertex = number[vertex];
 }
 
 }  // namespace knotspan

@@ -24,7 +24,7 @@ struct SceneDistance {
 };
 
 // Of what is visible, in units of `a`. `scale`: so many of them is one of `b`. Refuses a model with nothing
-// in it. Trimmed faces count whole.
+// in it. Of trimmed faces, what their loops leave.
 [[nodiscard]] Result<SceneDistance> distanceBetween(const Scene& a, const Scene& b, double scale = 1);
 
 }  // namespace knotspan

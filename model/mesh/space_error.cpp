@@ -211,7 +211,12 @@ double squareOfMiddles(const SpaceFigures& figures, const Vec3& cell)
 
 double SpaceFigures::errorBound(const Grid& grid) const
 {
-    const Vec3 cell = sizeOfCell(grid);
+    return errorBound(Vec2(1.0 / grid.u, 1.0 / grid.v));
+}
+
+double SpaceFigures::errorBound(const Vec2& size) const
+{
+    const Vec3 cell(size.x * size.x, size.x * size.y, size.y * size.y);
     return std::min(std::sqrt(squareOfMiddles(*this, cell)) + sum(spread, cell), sum(largest, cell)) /
            (8 * divisor);
 }
@@ -228,8 +233,13 @@ bool SpaceFigures::isWithin(double tolerance, const Grid& grid) const
 
 double SpaceWindow::errorBound(const Grid& grid) const
 {
-    const double bound = homogeneous.errorBound(grid);
-    return ofSurface ? std::min(bound, ofSurface->errorBound(grid)) : bound;
+    return errorBound(Vec2(1.0 / grid.u, 1.0 / grid.v));
+}
+
+double SpaceWindow::errorBound(const Vec2& size) const
+{
+    const double bound = homogeneous.errorBound(size);
+    return ofSurface ? std::min(bound, ofSurface->errorBound(size)) : bound;
 }
 
 bool SpaceWindow::isWithin(double tolerance, const Grid& grid) const
@@ -256,6 +266,8 @@ SpaceError::SpaceError(const BezierNet& net)
 
 void SpaceError::considerSurface()
 {
+    if (whole_.ofSurface)
+        return;
     const auto [least, most] = std::minmax_element(net_.points.begin(), net_.points.end(),
                                                    [](const Vec4& a, const Vec4& b) { return a.w < b.w; });
     // Where weights differ by more, products of three would be rounding.

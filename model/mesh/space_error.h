@@ -28,6 +28,7 @@ struct SpaceFigures {
     double divisor = 1;  // of all the others
 
     [[nodiscard]] double errorBound(const Grid& grid) const;
+    [[nodiscard]] double errorBound(const Vec2& size) const;
     // Whether that is at most `tolerance`; quicker.
     [[nodiscard]] bool isWithin(double tolerance, const Grid& grid) const;
 };
@@ -36,8 +37,9 @@ struct SpaceWindow {
     SpaceFigures homogeneous;
     std::optional<SpaceFigures> ofSurface;
 
-    // Of any triangle whose box is 1 / grid.u wide and 1 / grid.v high.
+    // Of any triangle whose box is 1 / grid.u wide and 1 / grid.v high, or of this size.
     [[nodiscard]] double errorBound(const Grid& grid) const;
+    [[nodiscard]] double errorBound(const Vec2& size) const;
     [[nodiscard]] bool isWithin(double tolerance, const Grid& grid) const;
     // The one that is less in all.
     [[nodiscard]] const SpaceFigures& better() const;

@@ -75,7 +75,7 @@ constexpr long kFewCells = 12;  // looking again would cost more than it saves
 
 std::optional<SpaceGrid> chooseSpaceGrid(SpaceError& error, double tolerance, int largest)
 {
-    if (const double bound = error.whole().errorBound({1, 1}); bound <= tolerance)
+    if (const double bound = error.whole().errorBound(Grid{1, 1}); bound <= tolerance)
         return SpaceGrid{{1, 1}, bound};
     error.considerSurface();
     std::vector<SpaceWindow> windows{error.whole()};

@@ -1,61 +1,33 @@
 #include "model/mesh/tessellation.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
 
 #include "model/core/check.h"
 #include "model/mesh/cell_counts.h"
 #include "model/mesh/facing_out.h"
+#include "model/mesh/mesh_limits.h"
+#include "model/mesh/trimmed_meshing.h"
 
 namespace knotspan {
 
 namespace {
 
-struct Placed {
-    std::vector<PlacedSurface> surfaces;
-    std::vector<ObjectId> objects;
-    size_t trimmed = 0;
-};
-
-Placed placedOf(const Scene& scene, bool hiddenToo)
+PlacedScene placedOf(const Scene& scene, bool hiddenToo)
 {
-    Placed placed;
+    PlacedScene placed;
     for (const auto& [id, object] : scene.objects()) {
         if (!object->visible && !hiddenToo)
             continue;
-        placed.surfaces.push_back({&object->surface, object->transform, nullptr});
+        placed.surfaces.push_back({&object->surface, object->transform, &object->trimLoops});
         placed.objects.push_back(id);
-        placed.trimmed += object->trimLoops.empty() ? 0 : 1;
+        placed.names.push_back(object->name);
     }
     return placed;
 }
 
-std::string shortText(double number)
-{
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g", number);
-    return text;
-}
-
-Result<void> isNotTooFine(const CellCounts& counts, size_t most)
-{
-    double triangles = 0;
-    for (const Grid& grid : counts.grids)
-        triangles += 2.0 * static_cast<double>(grid.cells());
-    if (!counts.failed.empty())
-        return failure("A mesh this fine would need more than " + std::to_string(kLargestFactor) +
-                           " cells along a side of a knot span",
-                       "Choose a larger deviation");
-    if (triangles > static_cast<double>(most))
-        return failure("A mesh this fine would have about " + shortText(triangles) + " triangles",
-                       "Choose a larger deviation");
-    return {};
-}
-
 class Meshing {
 public:
-    Meshing(const Placed& placed, const CoincidentEdges& edges, const CellCounts& counts)
+    Meshing(const PlacedScene& placed, const CoincidentEdges& edges, const CellCounts& counts)
         : placed_(placed),
           edges_(edges),
           counts_(counts),
@@ -70,8 +42,11 @@ public:
         vertices_.evaluate();
         addTriangles();
         result_.mesh.vertices = vertices_.takePositions();
-        turn();
-        dropUnused();
+        turnOut(result_,
+                facingOut(result_.mesh, firstTriangles_, placed_.surfaces, vertices_.seams(),
+                          closedAllAround(edges_)),
+                firstTriangles_);
+        dropUnused(result_);
         return std::move(result_);
     }
 
@@ -101,45 +76,7 @@ private:
         firstTriangles_.push_back(result_.mesh.triangles.size());
     }
 
-    void turn()
-    {
-        const FacingOut facing =
-            facingOut(result_.mesh, firstTriangles_, placed_.surfaces, edges_, vertices_.seams());
-        for (std::uint32_t s = 0; s < placed_.surfaces.size(); ++s)
-            if (facing.turned[s] != 0)
-                for (size_t k = firstTriangles_[s]; k < firstTriangles_[s + 1]; ++k) {
-                    std::swap(result_.mesh.triangles[k][1], result_.mesh.triangles[k][2]);
-                    std::swap(result_.parameters[k][1], result_.parameters[k][2]);
-                }
-        if (facing.twisted)
-            result_.notes.push_back(
-                "Some surfaces are joined so that they have only one side; their triangles "
-                "cannot all be turned one way.");
-    }
-
-    // Vertices that lines which are one point had beside it.
-    void dropUnused()
-    {
-        std::vector<Vec3>& vertices = result_.mesh.vertices;
-        std::vector<std::uint32_t> number(vertices.size(), UINT32_MAX);
-        for (const Triangle& triangle : result_.mesh.triangles)
-            for (const std::uint32_t vertex : triangle)
-                number[vertex] = 0;
-        std::uint32_t count = 0;
-        for (size_t k = 0; k < vertices.size(); ++k)
-            if (number[k] == 0) {
-                number[k] = count;
-                vertices[count++] = vertices[k];
-            }
-        if (count == vertices.size())
-            return;
-        vertices.resize(count);
-        for (Triangle& triangle : result_.mesh.triangles)
-            for (std::uint32_t& vertex : triangle)
-                vertex = number[vertex];
-    }
-
-    const Placed& placed_;
+    const PlacedScene& placed_;
     const CoincidentEdges& edges_;
     const CellCounts& counts_;
     MeshVertices vertices_;
@@ -147,26 +84,81 @@ private:
     Tessellation result_;
 };
 
+Result<Tessellation> tessellateWhole(const PlacedScene& placed, const TessellationOptions& options)
+{
+    const CellCounts counts = cellCounts(placed.surfaces, options.deviation, options.angleDegrees);
+    if (const auto fine = isNotTooFine(counts, options.mostTriangles); !fine)
+        return tl::unexpected(fine.error());
+    const CoincidentEdges edges(placed.surfaces);
+    return Meshing(placed, edges, counts).make();
+}
+
+PlacedScene partOf(const PlacedScene& placed, const std::vector<char>& which, bool isIn)
+{
+    PlacedScene part;
+    for (size_t k = 0; k < which.size(); ++k)
+        if ((which[k] != 0) == isIn) {
+            part.surfaces.push_back(placed.surfaces[k]);
+            part.objects.push_back(placed.objects[k]);
+            part.names.push_back(placed.names[k]);
+        }
+    return part;
+}
+
+void append(Tessellation& to, Tessellation&& more)
+{
+    const auto vertices = static_cast<std::uint32_t>(to.mesh.vertices.size());
+    const size_t triangles = to.mesh.triangles.size();
+    to.mesh.vertices.insert(to.mesh.vertices.end(), more.mesh.vertices.begin(), more.mesh.vertices.end());
+    for (const Triangle& triangle : more.mesh.triangles)
+        to.mesh.triangles.push_back({triangle[0] + vertices, triangle[1] + vertices, triangle[2] + vertices});
+    to.parameters.insert(to.parameters.end(), more.parameters.begin(), more.parameters.end());
+    for (MeshPatch patch : more.patches) {
+        patch.firstTriangle += triangles;
+        to.patches.push_back(patch);
+    }
+    for (OutlineChord chord : more.chords) {
+        for (std::uint32_t& vertex : chord.vertices)
+            vertex += vertices;
+        to.chords.push_back(chord);
+    }
+    to.bound = std::max(to.bound, more.bound);
+    to.uncut += more.uncut;
+    to.notes.insert(to.notes.end(), more.notes.begin(), more.notes.end());
+}
+
+Result<Tessellation> tessellateMixed(const PlacedScene& placed, const TessellationOptions& options)
+{
+    const std::vector<char> reached = reachedByTrimming(placed, weldTolerance(placed, options.deviation));
+    const PlacedScene trimmed = partOf(placed, reached, true);
+    const PlacedScene whole = partOf(placed, reached, false);
+    auto result =
+        trimmed.surfaces.empty() ? tessellateWhole(whole, options) : tessellateTrimmed(trimmed, options);
+    if (!result || trimmed.surfaces.empty() || whole.surfaces.empty())
+        return result;
+    auto rest = tessellateWhole(whole, options);
+    if (!rest)
+        return rest;
+    if (result->mesh.vertices.size() + rest->mesh.vertices.size() > UINT32_MAX)
+        return failure("A mesh this fine would have too many vertices", "Choose a larger deviation");
+    append(*result, std::move(*rest));
+    return result;
+}
+
 }  // namespace
 
 Result<Tessellation> tessellate(const Scene& scene, const TessellationOptions& options)
 {
     check(options.deviation > 0, "a deviation is above zero");
-    const Placed placed = placedOf(scene, options.hiddenToo);
+    const PlacedScene placed = placedOf(scene, options.hiddenToo);
     if (placed.surfaces.empty())
         return failure("There is nothing to make a mesh of", "Show at least one object");
-    const CellCounts counts = cellCounts(placed.surfaces, options.deviation, options.angleDegrees);
-    if (const auto fine = isNotTooFine(counts, options.mostTriangles); !fine)
-        return tl::unexpected(fine.error());
-    const CoincidentEdges edges(placed.surfaces);
-    auto result = Meshing(placed, edges, counts).make();
-    if (!result)
-        return result;
-    if (placed.trimmed > 0)
-        result->notes.push_back(std::to_string(placed.trimmed) +
-                                (placed.trimmed == 1 ? " trimmed face is" : " trimmed faces are") +
-                                " in the mesh whole: their holes and outlines are not cut yet.");
-    if (result->bound > options.deviation)
+    const bool anyTrimmed = std::any_of(placed.surfaces.begin(), placed.surfaces.end(),
+                                        [](const auto& surface) { return !surface.trimLoops->empty(); });
+    auto result = anyTrimmed ? tessellateMixed(placed, options) : tessellateWhole(placed, options);
+    if (result && result->mesh.triangles.empty())
+        return failure("Nothing is left of the surfaces inside their trim loops", "Untrim a surface");
+    if (result && result->bound > options.deviation)
         result->notes.push_back("Joined borders are apart, so the mesh is within " +
                                 shortText(result->bound) + " of the surfaces, more than was asked.");
     return result;

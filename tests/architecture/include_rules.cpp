@@ -194,7 +194,7 @@ std::vector<FolderRule> makeRules()
         {.folder = "model/scene", .mayInclude = values},
         {.folder = "model/sculpting", .mayInclude = values + Folders{"model/scene"}},
         {.folder = "model/samples", .mayInclude = values + Folders{"model/scene"}},
-        {.folder = "model/mesh", .mayInclude = scene},
+        {.folder = "model/mesh", .mayInclude = scene + Folders{"model/trimming"}},
         {.folder = "model/files", .mayInclude = scene, .disk = Disk::yes},
         {.folder = "model/cad",
          .mayInclude = scene + Folders{"model/files"},

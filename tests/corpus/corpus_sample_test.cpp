@@ -7,6 +7,7 @@
 
 #include "tests/corpus/corpora.h"
 #include "tests/corpus/corpus_run.h"
+#include "tests/corpus/solid_meshes.h"
 #include "tests/corpus/summary.h"
 #include "tests/support.h"
 
@@ -33,6 +34,25 @@ TEST(CorpusSample, OfTenFilesIsReadOrRefusedWithASentence)
     EXPECT_TRUE(std::any_of(records.begin(), records.end(), [](const Record& record) {
         return record.outcome == Outcome::read;
     })) << reasonsOf(records);
+}
+
+TEST(CorpusSample, OfClosedShellsHasClosedMeshes)
+{
+    const testing::TemporaryFolder scratch;
+    size_t shells = 0;
+    for (const Corpus& corpus : corpora(scratch.path())) {
+        std::vector<ModelFile> sample;
+        for (const ModelFile& file : shuffled(corpus.files))
+            if (std::filesystem::file_size(file.path) < 300'000 && sample.size() < 12)
+                sample.push_back(file);
+        const SolidMeshes meshes = solidMeshesOf(sample, scratch.path());
+        shells += meshes.shells;
+        EXPECT_EQ(meshes.closed, meshes.shells) << tableOf({meshes});
+        EXPECT_EQ(meshes.within, meshes.shells) << tableOf({meshes});
+        EXPECT_EQ(meshes.beyondBound, 0U) << tableOf({meshes});
+    }
+    if (shells == 0)
+        GTEST_SKIP() << "none of the corpora is installed: ./test --corpus installs them";
 }
 
 class ProgramsOnAFile : public ::testing::Test {

@@ -11,6 +11,7 @@
 #include "model/samples/sample_list.h"
 #include "tests/joined_surfaces.h"
 #include "tests/model/mesh/half_edge_mesh.h"
+#include "tests/model/trimming/loop_samples.h"
 #include "tests/random_surface.h"
 
 namespace knotspan {
@@ -173,11 +174,13 @@ TEST(Tessellation, SaysWhatItDoesNotDo)
     EXPECT_NE(tooFine.error().sentence().find("larger deviation"), std::string::npos);
     const ObjectId id = scene.objects().begin()->first;
     SceneObject object = *scene.find(id);
-    object.trimLoops.emplace_back();
+    object.trimLoops = {{true, {testing::polyline({{0.1, 0.1}, {0.9, 0.1}, {0.5, 0.9}})}}};
     scene.exchange(id, std::make_shared<const SceneObject>(object));
     const Tessellation whole = meshOf(scene, 0.1);
     ASSERT_EQ(whole.notes.size(), 1U);
-    EXPECT_NE(whole.notes.front().find("trimmed"), std::string::npos);
+    EXPECT_NE(whole.notes.front().find("trim loops cannot be followed"), std::string::npos);
+    EXPECT_EQ(whole.uncut, 1U);
+    EXPECT_EQ(topologyOf(whole.mesh).boundaryEdges, 0U);
     object.visible = false;
     scene.exchange(id, std::make_shared<const SceneObject>(object));
     EXPECT_FALSE(tessellate(scene, {.deviation = 1}));

@@ -1,0 +1,169 @@
+#include "model/mesh/trimmed_meshing.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+#include "model/mesh/face_triangles.h"
+#include "model/mesh/mesh_limits.h"
+#include "model/mesh/trimmed_assembly.h"
+
+namespace knotspan {
+
+namespace {
+
+constexpr int kMostRounds = 12;
+
+// Faces and their outlines, joined.
+struct Outlined {
+    std::vector<TrimRegion> regions;
+    std::vector<OutlinedFace> faces;
+    OutlineWeld weld;
+};
+
+Outlined outlinesOf(const PlacedScene& placed, double tolerance)
+{
+    static const std::vector<TrimLoop> kNoLoops;
+    Outlined result;
+    for (const PlacedSurface& surface : placed.surfaces) {
+        result.regions.emplace_back(surface.trimLoops != nullptr ? *surface.trimLoops : kNoLoops,
+                                    *surface.surface);
+        result.faces.emplace_back(surface, result.regions.back());
+    }
+    result.weld = weldOutlines(result.faces, tolerance);
+    return result;
+}
+
+class TrimmedMeshing {
+public:
+    TrimmedMeshing(const Outlined& outlined, const std::vector<FaceErrors>& errors)
+        : outlined_(outlined),
+          weld_(outlined.weld),
+          errors_(errors),
+          samples_(outlined.faces, weld_, errors),
+          stretches_(outlined.faces.size()),
+          made_(outlined.faces.size())
+    {
+        for (std::uint32_t seam = 0; seam < weld_.seams.size(); ++seam)
+            for (std::uint32_t m = 0; m < weld_.seams[seam].stretches.size(); ++m) {
+                const OutlineStretch& stretch = weld_.stretches[weld_.seams[seam].stretches[m]];
+                stretches_[stretch.face].push_back({seam, m, stretch.arc});
+            }
+    }
+
+    // Outlines are made finer where triangles ask for it, or chords cross, and their faces made again.
+    void make()
+    {
+        std::vector<char> due(outlined_.faces.size(), 1);
+        for (int round = 0; round < kMostRounds; ++round) {
+            std::map<std::uint32_t, std::vector<std::uint32_t>> cuts;  // by seam
+            for (std::uint32_t face = 0; face < due.size(); ++face)
+                if (due[face] != 0) {
+                    made_[face] = trianglesOf(taskOf(face), false);
+                    for (const SeamSegment& segment : made_[face].tooLong)
+                        cuts[segment.seam].push_back(segment.segment);
+                }
+            due.assign(due.size(), 0);
+            bool any = false;
+            for (auto& [seam, segments] : cuts)
+                any = cut(seam, segments, due) || any;
+            if (!any)
+                break;
+        }
+        for (std::uint32_t face = 0; face < due.size(); ++face)
+            if (due[face] != 0 || made_[face].crosses)
+                made_[face] = trianglesOf(taskOf(face), true);
+    }
+
+    [[nodiscard]] const OutlineSamples& samples() const { return samples_; }
+    [[nodiscard]] const std::vector<FaceTriangles>& made() const { return made_; }
+    [[nodiscard]] const std::vector<std::vector<FaceStretch>>& stretches() const { return stretches_; }
+
+private:
+    [[nodiscard]] FaceTask taskOf(std::uint32_t face) const
+    {
+        return {outlined_.faces[face], errors_[face], outlined_.regions[face], stretches_[face], samples_};
+    }
+
+    bool cut(std::uint32_t seam, std::vector<std::uint32_t>& segments, std::vector<char>& due)
+    {
+        std::sort(segments.begin(), segments.end(), std::greater<>());
+        segments.erase(std::unique(segments.begin(), segments.end()), segments.end());
+        bool any = false;
+        for (const std::uint32_t segment : segments)
+            any = samples_.split(seam, segment) || any;
+        if (any)
+            for (const std::uint32_t stretch : weld_.seams[seam].stretches)
+                due[weld_.stretches[stretch].face] = 1;
+        return any;
+    }
+
+    const Outlined& outlined_;
+    const OutlineWeld& weld_;
+    const std::vector<FaceErrors>& errors_;
+    OutlineSamples samples_;
+    std::vector<std::vector<FaceStretch>> stretches_;  // by face
+    std::vector<FaceTriangles> made_;
+};
+
+}  // namespace
+
+double weldTolerance(const PlacedScene& placed, double deviation)
+{
+    constexpr double kOfDeviation = 0.3;
+    constexpr double kOfSize = 1e-5;  // what files' edges are off by, whatever deviation is asked for
+    Box box;
+    for (const PlacedSurface& surface : placed.surfaces)
+        box.add(transformed(surface.surface->bounds(), surface.transform));
+    return std::max(kOfDeviation * deviation, kOfSize * box.diagonal());
+}
+
+std::vector<char> reachedByTrimming(const PlacedScene& placed, double tolerance)
+{
+    const bool all = std::all_of(placed.surfaces.begin(), placed.surfaces.end(), [](const auto& surface) {
+        return surface.trimLoops != nullptr && !surface.trimLoops->empty();
+    });
+    std::vector<char> reached(placed.surfaces.size(), 1);
+    if (all)
+        return reached;
+    const Outlined outlined = outlinesOf(placed, tolerance);
+    for (size_t k = 0; k < reached.size(); ++k)
+        reached[k] = outlined.faces[k].isTrimmed() ? 1 : 0;
+    const auto& stretches = outlined.weld.stretches;
+    for (bool more = true; more;) {
+        more = false;
+        for (const OutlineSeam& seam : outlined.weld.seams) {
+            const auto is = [&](std::uint32_t k) { return reached[stretches[k].face] != 0; };
+            const auto count = std::count_if(seam.stretches.begin(), seam.stretches.end(), is);
+            if (count == 0 || count == static_cast<std::ptrdiff_t>(seam.stretches.size()))
+                continue;
+            more = true;
+            for (const std::uint32_t stretch : seam.stretches)
+                reached[stretches[stretch].face] = 1;
+        }
+    }
+    return reached;
+}
+
+Result<Tessellation> tessellateTrimmed(const PlacedScene& placed, const TessellationOptions& options)
+{
+    constexpr double kLeast = 0.25;  // of the deviation, for the triangles
+    const Outlined outlined = outlinesOf(placed, weldTolerance(placed, options.deviation));
+    const double left = std::max(options.deviation - 1.1 * outlined.weld.gap, kLeast * options.deviation);
+    KsQuadShapes shapes;
+    const CellCounts counts =
+        cellCounts(placed.surfaces, FaceErrors::kForCells * left, options.angleDegrees, &shapes);
+    if (const auto fine = isNotTooFine(counts, options.mostTriangles); !fine)
+        return tl::unexpected(fine.error());
+    std::vector<FaceErrors> errors;
+    const std::vector<BorderNumbers> numbers = borderNumbers(placed.surfaces);
+    for (const BorderNumbers& number : numbers)
+        errors.emplace_back(counts, shapes, number.firstKsquad, static_cast<int>(number.spansV), left,
+                            options.angleDegrees.has_value());
+    TrimmedMeshing meshing(outlined, errors);
+    meshing.make();
+    return assembled({placed, outlined.regions, outlined.faces, outlined.weld, meshing.samples(),
+                      meshing.stretches(), meshing.made(), weldTolerance(placed, options.deviation)});
+}
+
+}  // namespace knotspan

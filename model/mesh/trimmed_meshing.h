@@ -1,0 +1,24 @@
+// Surfaces of which some are trimmed as one welded mesh: tessellation.h's way for those.
+#pragma once
+
+#include "model/mesh/tessellation.h"
+#include "model/trimming/trim_region.h"
+
+namespace knotspan {
+
+struct PlacedScene {
+    std::vector<PlacedSurface> surfaces;  // with their loops
+    std::vector<ObjectId> objects;
+    std::vector<std::string> names;
+};
+
+// Which surfaces are trimmed, or joined to one that is, or to one that is joined to it ...
+[[nodiscard]] std::vector<char> reachedByTrimming(const PlacedScene& placed, double tolerance);
+
+// How far apart edges may be that are taken for one.
+[[nodiscard]] double weldTolerance(const PlacedScene& placed, double deviation);
+
+[[nodiscard]] Result<Tessellation> tessellateTrimmed(const PlacedScene& placed,
+                                                     const TessellationOptions& options);
+
+}  // namespace knotspan
