@@ -77,6 +77,13 @@ void noteHidden(const Scene& scene, std::vector<std::string>& notes)
 MeshDeviation deviationOf(Made& made, const TriangleMesh& mesh, const Scene& scene, bool angles)
 {
     const auto count = static_cast<std::ptrdiff_t>(made.surfaces.parameters.size());
+    std::vector<std::uint32_t> there(made.mesh.vertices.size());  // readers number vertices anew
+    for (size_t k = 0; k < made.surfaces.parameters.size(); ++k)
+        for (size_t corner = 0; corner < 3; ++corner)
+            there[made.mesh.triangles[k][corner]] = mesh.triangles[k][corner];
+    for (OutlineChord& chord : made.surfaces.chords)
+        for (std::uint32_t& vertex : chord.vertices)
+            vertex = there[vertex];
     made.surfaces.mesh = {mesh.vertices, {mesh.triangles.begin(), mesh.triangles.begin() + count}};
     return measuredDeviation(made.surfaces, scene, angles);
 }

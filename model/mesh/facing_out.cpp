@@ -115,9 +115,12 @@ void dropUnused(Tessellation& tessellation)
     for (const Triangle& triangle : tessellation.mesh.triangles)
         for (const std::uint32_t vertex : triangle)
             number[vertex] = 0;
-    for (const OutlineChord& chord : tessellation.chords)
-        for (const std::uint32_t vertex : chord.vertices)
-            number[vertex] = 0;
+    std::vector<OutlineChord>& chords = tessellation.chords;
+    chords.erase(std::remove_if(chords.begin(), chords.end(),
+                                [&](const OutlineChord& chord) {
+                                    return number[chord.vertices[0]] != 0 || number[chord.vertices[1]] != 0;
+                                }),
+                 chords.end());
     std::uint32_t count = 0;
     for (size_t k = 0; k < vertices.size(); ++k)
         if (number[k] == 0) {
