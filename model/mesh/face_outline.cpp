@@ -5,6 +5,7 @@
 #include <map>
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 namespace knotspan {
 
@@ -35,6 +36,24 @@ bool follows(const RegionPiece& before, const RegionPiece& after)
 {
     return before.loop == after.loop && before.curve == after.curve &&
            onLattice(before, before.points.back()) == onLattice(after, after.points.front());
+}
+
+// Whether the outline turns sharply between two pieces.
+bool turns(const RegionPiece& before, const RegionPiece& after)
+{
+    constexpr double kSharp = 0.05;  // radians; below, a chord may run past it
+    if (before.a != after.a || before.b != after.b)
+        return false;
+    const auto way = [](const auto& first, const auto& last) {
+        const Vec2 from = first->position;
+        for (auto point = first + 1; point != last; ++point)
+            if (point->position != from)
+                return glm::normalize(point->position - from);
+        return Vec2(0);
+    };
+    const Vec2 in = -way(before.points.rbegin(), before.points.rend());
+    const Vec2 out = way(after.points.begin(), after.points.end());
+    return glm::dot(in, out) < std::cos(kSharp);
 }
 
 // Stretches of one KSQuad's side that are covered an odd number of times.
@@ -162,7 +181,7 @@ std::vector<OutlineArc> outlineOf(const TrimRegion& region)
                     last = nullptr;
                     continue;
                 }
-                if (last == nullptr || !follows(*last, piece))
+                if (last == nullptr || !follows(*last, piece) || turns(*last, piece))
                     arcs.push_back({{}, piece.curve == kNoCurve});
                 arcs.back().pieces.push_back(piece);
                 last = &piece;

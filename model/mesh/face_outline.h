@@ -19,8 +19,8 @@ struct OutlinePlace {
     [[nodiscard]] Vec2 onLattice() const { return Vec2(a, b) + t; }
 };
 
-// Of one source: a trim curve, a line that closes a gap, or a side of the domain. Its parameter runs over
-// [0, pieces], piece k having [k, k + 1].
+// Of one source, without sharp corners: a trim curve, a line that closes a gap, or a side of the domain. Its
+// parameter runs over [0, pieces], piece k having [k, k + 1].
 struct OutlineArc {
     std::vector<RegionPiece> pieces;  // each starts where the one before ends
     bool isBridge = false;            // a line between curves that do not meet

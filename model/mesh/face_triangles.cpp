@@ -34,13 +34,13 @@ public:
         result_.crosses = missing_;
         if (missing_ && !anyway)
             return std::move(result_);
-        if (!missing_)
+        if (missing_)
+            markByRegion();
+        else
             plain_.markInside([&](std::uint32_t from, std::uint32_t to) {
                 const auto edge = edges_.find(key(from, to));
                 return edge != edges_.end() && edge->second.count % 2 != 0;
             });
-        else
-            markByRegion();
         addGrids();
         addKnotLines();
         refine();
@@ -54,12 +54,10 @@ private:
         int count = 0;
         double sliver = 0;
     };
-
     static std::uint64_t key(std::uint32_t from, std::uint32_t to)
     {
         return std::uint64_t{std::min(from, to)} << 32U | std::max(from, to);
     }
-
     static FacePlane planeOf(const FaceTask& task)
     {
         Vec2 low(std::numeric_limits<double>::infinity());

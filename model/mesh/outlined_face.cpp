@@ -63,12 +63,20 @@ OutlinedFace::Nearest OutlinedFace::nearest(std::uint32_t arc, double from, doub
 OutlinedFace::Nearest OutlinedFace::nearestFrom(std::uint32_t arc, double from, double to, double guess,
                                                 const Vec3& point) const
 {
+    bool settled = false;
+    const Nearest found = descended(arc, from, to, guess, point, settled);
+    return settled ? found : lookedThrough(arc, from, to, point, found);
+}
+
+OutlinedFace::Nearest OutlinedFace::descended(std::uint32_t arc, double from, double to, double guess,
+                                              const Vec3& point, bool& settled) const
+{
     constexpr int kSteps = 16;
     constexpr double kAskew = 1e-3;
     Nearest best{guess, glm::distance(pointOn(arc, guess), point)};
     const double width = 1e-4 * (to - from);
     double t = guess;
-    bool settled = false;
+    settled = false;
     for (int k = 0; k < kSteps && width > 0 && !settled; ++k) {
         const double low = std::max(from, t - width);
         const double high = std::min(to, t + width);
@@ -85,7 +93,7 @@ OutlinedFace::Nearest OutlinedFace::nearestFrom(std::uint32_t arc, double from, 
                    std::abs(glm::dot(away, tangent)) <= kAskew * glm::length(away) * std::sqrt(squared));
         t = next;
     }
-    return settled ? best : lookedThrough(arc, from, to, point, best);
+    return best;
 }
 
 OutlinedFace::Nearest OutlinedFace::lookedThrough(std::uint32_t arc, double from, double to,
@@ -118,7 +126,10 @@ OutlinedFace::Nearest OutlinedFace::lookedThrough(std::uint32_t arc, double from
     for (const Nearest& found : {Nearest{places[nearest], least}, Nearest{low, distanceAt(low)}})
         if (found.distance < best.distance)
             best = found;
-    return best;
+    // To the last digits, which the golden section has only half of.
+    bool settled = false;
+    const Nearest found = descended(arc, from, to, best.t, point, settled);
+    return found.distance < best.distance ? found : best;
 }
 
 }  // namespace knotspan

@@ -39,6 +39,8 @@ public:
                                       const Vec3& point) const;
 
 private:
+    [[nodiscard]] Nearest descended(std::uint32_t arc, double from, double to, double guess,
+                                    const Vec3& point, bool& settled) const;
     [[nodiscard]] Nearest lookedThrough(std::uint32_t arc, double from, double to, const Vec3& point,
                                         Nearest best) const;
 

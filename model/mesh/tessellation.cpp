@@ -124,6 +124,7 @@ void append(Tessellation& to, Tessellation&& more)
     }
     to.bound = std::max(to.bound, more.bound);
     to.uncut += more.uncut;
+    to.crossing += more.crossing;
     to.notes.insert(to.notes.end(), more.notes.begin(), more.notes.end());
 }
 
@@ -158,7 +159,7 @@ Result<Tessellation> tessellate(const Scene& scene, const TessellationOptions& o
     auto result = anyTrimmed ? tessellateMixed(placed, options) : tessellateWhole(placed, options);
     if (result && result->mesh.triangles.empty())
         return failure("Nothing is left of the surfaces inside their trim loops", "Untrim a surface");
-    if (result && result->bound > options.deviation)
+    if (result && result->bound > options.deviation && result->crossing == 0)
         result->notes.push_back("Joined borders are apart, so the mesh is within " +
                                 shortText(result->bound) + " of the surfaces, more than was asked.");
     return result;

@@ -48,7 +48,8 @@ struct Tessellation {
     std::vector<OutlineChord> chords;  // of trimmed faces
     // No point of a surface is further from the mesh, none of the mesh further from a surface: proved.
     double bound = 0;
-    size_t uncut = 0;  // trimmed faces that are in it whole, because their loops cannot be followed
+    size_t uncut = 0;     // trimmed faces that are in it whole, because their loops cannot be followed
+    size_t crossing = 0;  // trimmed faces whose outline crosses itself: their sizes are in the bound
     std::vector<std::string> notes;  // sentences for the user
 
     [[nodiscard]] size_t endOf(size_t patch) const

@@ -84,6 +84,10 @@ private:
             result_.parameters.push_back(corners.t);
         }
         result_.bound = std::max(result_.bound, face.bound + parts_.samples.gap(number));
+        const PlacedSurface& placed = parts_.placed.surfaces[number];
+        if (face.crosses)
+            result_.bound =
+                std::max(result_.bound, transformed(placed.surface->bounds(), placed.transform).diagonal());
     }
 
     void placeInside(std::uint32_t number)
@@ -206,10 +210,13 @@ private:
                 crossing.push_back(face);
         }
         result_.uncut = refused.size();
+        result_.crossing = crossing.size();
         say(refused, "in the mesh whole, because its trim loops cannot be followed",
             "in the mesh whole, because their trim loops cannot be followed");
-        say(crossing, "cut as well as can be, because its outline crosses itself",
-            "cut as well as can be, because their outlines cross themselves");
+        say(crossing,
+            "cut as well as can be, because its outline crosses itself; how far it is off is not known",
+            "cut as well as can be, because their outlines cross themselves; how far they are off is not "
+            "known");
         say(open,
             "where the mesh is open: no other edge runs along one of its edges within " +
                 shortText(parts_.tolerance),
