@@ -142,6 +142,7 @@ struct Frame {
     double pixelRatio = 1;  // pixels in one of the hand's: overlays say their widths and sizes in those,
                             // but for patches and strokes
     double tolerancePx = 0.5;
+    bool smoothEdges = true;  // of trimmed surfaces, by how much of a pixel they cover; without it is faster
     Evaluator evaluator = Evaluator::automatic;  // by the largest degree that shows
     Shading shading = Shading::shaded;
     Look look;                        // what those shadings are told that have something to choose

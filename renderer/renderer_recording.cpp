@@ -67,7 +67,7 @@ void Renderer::Parts::record(VkCommandBuffer commands, const Frame& frame, const
 // Error shading has figures for colours.
 bool Renderer::Parts::hasTrimEdges(const Frame& frame) const
 {
-    return scene.isTrimmed() && frame.shading != Shading::error;
+    return scene.isTrimmed() && frame.smoothEdges && frame.shading != Shading::error;
 }
 
 void Renderer::Parts::prepareOverlays(const Overlays& overlays)

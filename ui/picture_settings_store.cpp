@@ -104,6 +104,7 @@ void restorePicture(Viewport& viewport)
     Frame frame = viewport.frame();
     readLook(stored, frame.look);
     frame.tolerancePx = numberIn(stored, "tolerance", frame.tolerancePx, kFinestPx, kCoarsestPx);
+    frame.smoothEdges = stored.value("smoothEdges", frame.smoothEdges).toBool();
     if (const auto culling = parseCullSet(stored.value("culling").toString().toStdString()))
         frame.culling = *culling;
     viewport.setFrame(frame);
@@ -123,6 +124,7 @@ void storePicture(Viewport& viewport)
     writeLook(stored, frame.look);
     stored.setValue("tolerance", frame.tolerancePx);
     stored.setValue("culling", textOf(frame.culling));
+    stored.setValue("smoothEdges", frame.smoothEdges);
     stored.setValue("combs/curves", viewport.combs().settings().curves);
     stored.setValue("combs/longest", viewport.combs().settings().longestPercent);
     stored.setValue("section/axis", viewport.section().settings().axis);

@@ -269,10 +269,17 @@ const std::vector<ActionInfo>& viewActions()
          .tip = TEXT("Draw what was seen from here while the view moves on, and outline what was culled"),
          .run = [](Window& w, bool on) { freezeCulling(w, on); },
          .isChecked = [](Window& w) { return w.viewport().frame().cullingCamera.has_value(); }},
+        {.id = "view.smoothEdges",
+         .text = TEXT("Smooth &edges"),
+         .tip = TEXT("Draw the borders of trimmed surfaces by how much of each pixel they cover; without it "
+                     "is faster"),
+         .run = [](Window& w, bool on) { change(w, [on](Frame& frame) { frame.smoothEdges = on; }); },
+         .isChecked = [](Window& w) { return w.viewport().frame().smoothEdges; }},
         {.id = "view.loosen",
          .text = TEXT("&Loosen while moving"),
          .shortcuts = {QKeySequence("Shift+L")},
-         .tip = TEXT("While the hand moves, let the tolerance loosen so far that 60 pictures a second come"),
+         .tip = TEXT("While the hand moves, let the tolerance loosen and edges be sharp so far that 60 "
+                     "pictures a second come"),
          .run = [](Window& w, bool on) { setLoosening(w, on); },
          .isChecked = [](Window& w) { return w.viewport().toolSettings().loosen; }},
         navigationRow<0>("view.navigatePlain"),

@@ -22,6 +22,7 @@ struct Request {
     std::string paths;
     std::string size = "1280x800";
     std::string shading = "shaded";
+    bool sharpEdges = false;
     int frames = 3;
     int rounds = 3;
     double tolerancePx = 0.5;
@@ -133,6 +134,7 @@ Result<void> measure(Renderer& renderer, const Scene& scene, const Request& requ
         frame.tolerancePx = request.tolerancePx;
         frame.path = path.id;
         frame.culling = defaultCulling();
+        frame.smoothEdges = !request.sharpEdges;
         frame.shading = findShading(request.shading).value_or(Shading::shaded);
         Times times[2];
         for (int round = 0; round < request.rounds; ++round)
@@ -160,6 +162,7 @@ int main(int argc, char** argv)
     app.add_option("--paths", request.paths, "Names with commas between them; default: all");
     app.add_option("--size", request.size, "Of the picture")->capture_default_str();
     app.add_option("--shading", request.shading, "As in render")->capture_default_str();
+    app.add_flag("--sharp-edges", request.sharpEdges, "As in render");
     app.add_option("--frames", request.frames, "For each of six views in a round")->capture_default_str();
     app.add_option("--rounds", request.rounds, "Of both in turns")->capture_default_str();
     app.add_option("--tolerance", request.tolerancePx, "Pixels")->capture_default_str();

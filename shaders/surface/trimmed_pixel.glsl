@@ -60,13 +60,24 @@ PixelPlace aimedPlace(uint surface, PixelPlace place, inout mat2 along)
     return stepped(surface, place, change);
 }
 
-// Returns the colour's opacity. `along`: how aimedT() changes from pixel to pixel.
-float discardTrimmed(mat2 along)
+// Where loops leave nothing of the pixel's centre. `along`: how aimedT() changes from pixel to pixel.
+void discardSharply(PixelPlace place, uint word, mat2 along)
 {
-    PixelPlace place = pixelPlace(aimedT());
-    uint word = trimWords[place.ksquad];
-    if (word == TRIM_WHOLE)
-        return 1.0;
+    uint side = word < TRIM_RECORDS ? word : trimRowSide(word, place.t, place.t);
+    if (side == TRIM_OUTSIDE)
+        discard;
+    if (side != TRIM_NEAR)
+        return;
+    place = aimedPlace(ksquads[place.ksquad].surface, place, along);
+    if (!trimContains(place.ksquad, clamp(place.t, 0.0, 1.0)))
+        discard;
+}
+
+// The same, and the colour's opacity.
+float discardSmoothly(PixelPlace place, uint word, mat2 along)
+{
+    // A loop through the very centre leaves the pixel to both of two that meet there, rather than to neither.
+    const float kRounding = 0.02;
     uint surface = ksquads[place.ksquad].surface;
     uint side = sideAround(place, word, reachPx(surface) * (abs(along[0]) + abs(along[1])));
     if (side == TRIM_OUTSIDE)
@@ -79,12 +90,22 @@ float discardTrimmed(mat2 along)
     if (word >= TRIM_RECORDS)
         found = placeInLoops(word, clamp(place.t, 0.0, 1.0), inverse(along),
                              TRIM_EDGE_REACH * (abs(along[0]) + abs(along[1])));
-    // A loop through the very centre leaves the pixel to both of two that meet there, rather than to neither.
-    const float kRounding = 0.02;
     vec4 around = found.distances;
     if (!found.inside && min(min(around.x, around.y), min(around.z, around.w)) > kRounding)
         discard;
     return opacityAt(surface, place, along, around);
+}
+
+float discardTrimmed(mat2 along)
+{
+    PixelPlace place = pixelPlace(aimedT());
+    uint word = trimWords[place.ksquad];
+    if (word == TRIM_WHOLE)
+        return 1.0;
+    if ((frame.flags & FRAME_SHARP_EDGES) == 0u)
+        return discardSmoothly(place, word, along);
+    discardSharply(place, word, along);
+    return 1.0;
 }
 #else
 mat2 aimedChanges() { return mat2(0.0); }

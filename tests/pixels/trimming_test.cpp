@@ -186,6 +186,29 @@ TEST_P(TrimmedPictures, AreSmoothWhereTheyEnd)
     EXPECT_LE(far, crossed / 100);
 }
 
+// Which costs less.
+TEST_P(TrimmedPictures, AreOfWholePixelsWhereThatIsAskedFor)
+{
+    const Scene scene = sceneOf(platter(loopsOf(kRim, kHole)));
+    Frame frame = frameFor(scene);
+    frame.camera = namedView("top", scene.hullPoints(), 4.0 / 3, true).value();
+    const Picture smooth = drawn(*renderer, scene, frame).picture;
+    const KsQuadIndices shown = renderer->captureKsQuads().value();
+    frame.smoothEdges = false;
+    const Picture sharp = drawn(*renderer, scene, frame).picture;
+    const KsQuadIndices shownSharply = renderer->captureKsQuads().value();
+    size_t mixed = 0;
+    size_t differ = 0;
+    for (size_t k = 0; k < shown.indices.size(); ++k) {
+        const bool isBack = isBackground(sharp, static_cast<int>(k % kWidth), static_cast<int>(k / kWidth));
+        EXPECT_EQ(isBack, shownSharply.indices[k] == 0);
+        mixed += smooth.rgba[4 * k] != sharp.rgba[4 * k] ? 1 : 0;
+        differ += shown.indices[k] != shownSharply.indices[k] ? 1 : 0;
+    }
+    EXPECT_GT(mixed, 200U);
+    EXPECT_LE(differ, 8U);  // whose centre is as good as on a loop
+}
+
 TEST_P(TrimmedPictures, LetPicksThroughTheirHoles)
 {
     Scene scene;

@@ -77,5 +77,39 @@ TEST_F(LooseningTest, SwitchedOffItNeverIs)
     act("view.loosen");
 }
 
+// A hole drawn by hand, so that its border may be sharp while the view turns.
+TEST_F(LooseningTest, BordersOfTrimmedSurfacesAreSmoothAtRest)
+{
+    act("view.top");
+    settle(*window);
+    Hand hand(*window);
+    const PictureSize size = window->viewport().pictureSize();
+    const Vec2 middle(std::round(0.5 * size.width), std::round(0.5 * size.height));
+    act("tools.trim");
+    for (const Vec2& way : {Vec2(-40, -30), Vec2(45, -35), Vec2(40, 42), Vec2(-35, 38)})
+        hand.click(middle + way);
+    EXPECT_TRUE(hand.key(Qt::Key_Return));
+    EXPECT_TRUE(hand.key(Qt::Key_Return));
+    ASSERT_FALSE(scene().find(id)->trimLoops.empty());
+    act("tools.select");
+    settle(*window);
+    hand.press(middle, Qt::MiddleButton);
+    for (int k = 1; k <= 8; ++k) {
+        hand.move(middle + Vec2(4 * k, k));
+        window->viewport().drawNow();
+    }
+    hand.release();
+    ASSERT_TRUE(settle(*window));
+    const QImage rested = picture(*window);
+    window->viewport().drawNow();
+    EXPECT_EQ(differingPixels(rested, picture(*window), 0), 0);
+    act("view.smoothEdges");
+    ASSERT_TRUE(settle(*window));
+    EXPECT_GT(differingPixels(rested, picture(*window), 8), 20);
+    act("view.smoothEdges");
+    ASSERT_TRUE(settle(*window));
+    EXPECT_EQ(differingPixels(rested, picture(*window), 0), 0);
+}
+
 }  // namespace
 }  // namespace knotspan

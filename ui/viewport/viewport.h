@@ -139,7 +139,7 @@ private:
     [[nodiscard]] Result<void> draw();
     [[nodiscard]] Result<void> present();
     [[nodiscard]] bool mayLoosen() const;
-    void keepPace(const Frame& drawn, double ms);
+    void keepPace(const Frame& drawn, double ms, bool isTrimmed);
     void settle();
     [[nodiscard]] Pick pick(const Vec2& position, double radius);
     void readRamp(const std::optional<Vec2>& position);
@@ -159,8 +159,9 @@ private:
     ToolSettings toolSettings_;
     const NavigationPreset* navigation_;
     Pace pace_;
-    double loosened_ = 0;  // the next frame's tolerance, where it is looser than the frame's own
-    QTimer settling_;      // runs while the last picture is looser than asked for
+    double loosened_ = 0;     // the next frame's tolerance, where it is looser than the frame's own
+    bool sharpened_ = false;  // whether the next frame's borders are not smoothed, for speed
+    QTimer settling_;         // runs while the last picture is looser than asked for
     bool drawPending_ = false;
     bool scenePending_ = true;
     bool viewPending_ = true;    // look at the whole model as soon as the picture has a size

@@ -62,8 +62,10 @@ Result<void> Viewport::draw()
     if (!mayLoosen()) {
         pace_.rest();
         loosened_ = 0;
+        sharpened_ = false;
     }
     frame.tolerancePx = std::max(frame.tolerancePx, loosened_);
+    frame.smoothEdges = frame.smoothEdges && !sharpened_;
     QElapsedTimer clock;
     clock.start();
     Result<void> others;
@@ -84,7 +86,7 @@ Result<void> Viewport::draw()
     if (Result<void> shown = present(); !shown)
         return shown;
     if (isPrepared)
-        keepPace(frame, static_cast<double>(clock.nsecsElapsed()) * 1e-6);
+        keepPace(frame, static_cast<double>(clock.nsecsElapsed()) * 1e-6, stats->surfacesTrimmed > 0);
     if (!section_.isComplete())
         requestDraw();
     Q_EMIT frameDrawn(*stats);
@@ -137,12 +139,14 @@ bool Viewport::mayLoosen() const
     return toolSettings_.loosen && input_->isBusy() && !frame_.cullingCamera;
 }
 
-void Viewport::keepPace(const Frame& drawn, double ms)
+void Viewport::keepPace(const Frame& drawn, double ms, bool isTrimmed)
 {
     const double asked = frame_.tolerancePx;
-    if (mayLoosen())
+    if (mayLoosen()) {
         loosened_ = pace_.afterDrawing({drawn.tolerancePx, ms}, asked);
-    if (drawn.tolerancePx > asked)
+        sharpened_ = sharpened_ || ms > Pace::kFrameMs;
+    }
+    if (drawn.tolerancePx > asked || (isTrimmed && drawn.smoothEdges != frame_.smoothEdges))
         settling_.start(kRestMs);
     else
         settling_.stop();
@@ -152,6 +156,7 @@ void Viewport::settle()
 {
     pace_.rest();
     loosened_ = 0;
+    sharpened_ = false;
     requestDraw();
 }
 
