@@ -4,7 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 
 #include "drawn_pixels.glsl"
-#include "../surface/trim_edge_code.glsl"
+#include "../shared/trim_edge_code.glsl"
 
 layout(location = 0) out vec4 outColour;
 

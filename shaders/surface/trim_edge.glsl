@@ -2,7 +2,7 @@
 #ifndef KNOTSPAN_TRIM_EDGE_GLSL
 #define KNOTSPAN_TRIM_EDGE_GLSL
 
-#include "trim_edge_code.glsl"
+#include "../shared/trim_edge_code.glsl"
 
 // Pixels along kTrimSides; where it is above TRIM_EDGE_REACH nobody asks.
 #define FAR_FROM_EDGES vec4(2.0)

@@ -109,8 +109,7 @@ std::string libraryRefusal(const FolderRule& rule, const std::string& included)
     if (namesDisk(included) && rule.disk == Disk::no) {
         return "knows of no files";
     }
-    if (startsWith(included, "CLI/") && rule.folder != "app" && rule.folder != "benchmarks/frames" &&
-        rule.folder != "benchmarks/dragging" && rule.folder != "benchmarks/meshing") {
+    if (startsWith(included, "CLI/") && rule.folder != "app" && !covers("benchmarks", rule.folder)) {
         return "reads no command line";
     }
     if (startsWith(included, "hwy/") && rule.folder != "model/geometry" &&
@@ -205,8 +204,8 @@ std::vector<FolderRule> makeRules()
          .disk = Disk::yes,
          .meshLibraries = true},
         {.folder = "model/formats",
-         .mayInclude = scene + Folders{"model/cad", "model/files", "model/mesh", "model/mesh_files",
-                                       "model/trimming"},
+         .mayInclude =
+             scene + Folders{"model/cad", "model/files", "model/mesh", "model/mesh_files", "model/trimming"},
          .disk = Disk::yes},
         {.folder = "model/document",
          .mayInclude = scene + Folders{"model/files", "model/formats", "model/mesh"},
@@ -248,11 +247,9 @@ std::vector<FolderRule> makeRules()
          .mayInclude = scene + front + Folders{"benchmarks/frames", "model/samples"}},
         {.folder = "benchmarks/dragging",
          .mayInclude = scene + front + Folders{"benchmarks/dragging", "model/samples", "model/sculpting"}},
+        {.folder = "benchmarks/trimming", .mayInclude = scene + front + Folders{"model/formats"}},
         // The window itself.
-        {.folder = "benchmarks/starting",
-         .mayInclude = {"model", "ui"},
-         .disk = Disk::yes,
-         .qt = true},
+        {.folder = "benchmarks/starting", .mayInclude = {"model", "ui"}, .disk = Disk::yes, .qt = true},
         {.folder = "shaders", .mayInclude = {}},
         {.folder = "shaders/shared", .mayInclude = {}},
         {.folder = "shaders/surface", .mayInclude = {"shaders/shared", "shaders/culling"}},

@@ -7,81 +7,10 @@
 #include "model/scene/control_point_editing.h"
 #include "shaders/shared/cull_list.h"
 #include "tests/model/trimming/loop_samples.h"
-#include "tests/pixels/trimmed_forms.h"
-#include "tests/renderer/render_support.h"
+#include "tests/pixels/trimmed_pictures.h"
 
 namespace knotspan::testing {
 namespace {
-
-constexpr int kWidth = 160;
-constexpr int kHeight = 120;
-
-class TrimmedPictures : public ::testing::TestWithParam<PathId> {
-protected:
-    void SetUp() override
-    {
-        renderer = sharedRenderer();
-        if (renderer == nullptr)
-            GTEST_SKIP() << "no Vulkan device here";
-        KNOTSPAN_NEED_PATH(*renderer, GetParam());
-    }
-
-    [[nodiscard]] Frame frameFor(const Scene& scene) const
-    {
-        return frameOf(scene, GetParam(), kWidth, kHeight);
-    }
-
-    // What the exact surface shows at a place in the picture: nothing, or the number of the layer.
-    using Shown = std::function<int(const Ray&)>;
-
-    // Every pixel whose neighbours would show the same, too.
-    void expectShown(const Scene& scene, const Frame& frame, const Shown& shown)
-    {
-        const Drawn picture = drawn(*renderer, scene, frame);
-        const KsQuadIndices indices = renderer->captureKsQuads().value();
-        int judged = 0;
-        int holes = 0;
-        int wrong = 0;
-        for (int y = 1; y + 1 < kHeight; ++y)
-            for (int x = 1; x + 1 < kWidth; ++x) {
-                const int wanted = shown(rayThrough(frame, x + 0.5, y + 0.5));
-                bool alike = true;
-                for (int k = 0; k < 9; ++k)
-                    alike = alike && shown(rayThrough(frame, x - 0.5 + k % 3, y - 0.5 + k / 3)) == wanted;
-                if (!alike)
-                    continue;
-                ++judged;
-                holes += wanted == 0 ? 1 : 0;
-                const bool there = indices.indices[static_cast<size_t>(y) * kWidth + x] != 0;
-                wrong += there != (wanted != 0) || isBackground(picture.picture, x, y) == there ? 1 : 0;
-            }
-        EXPECT_EQ(wrong, 0);
-        EXPECT_GT(judged, kWidth * kHeight / 2);
-        EXPECT_GT(holes, 100);
-    }
-
-    static Shown layers(std::vector<Vec3> (*met)(const Ray&), const std::function<bool(const Vec3&)>& remains)
-    {
-        return [met, remains](const Ray& ray) {
-            int layer = 0;
-            for (const Vec3& place : met(ray)) {
-                ++layer;
-                if (remains(place))
-                    return layer;
-            }
-            return 0;
-        };
-    }
-
-    Renderer* renderer = nullptr;
-};
-
-Scene sceneOf(SceneObject object)
-{
-    Scene scene;
-    scene.add(std::move(object));
-    return scene;
-}
 
 TEST_P(TrimmedPictures, ShowAPlaneWhereItsLoopsLeaveIt)
 {
@@ -139,74 +68,6 @@ TEST_P(TrimmedPictures, LeaveNoPixelBetweenTwoThatMeetAlongALoop)
     }
     EXPECT_GT(ofLid, 2000U);
     EXPECT_EQ(between, 0U);
-}
-
-// Against many places in each pixel that a loop runs through. A picture of pixels that are covered or not
-// would be off by a quarter in the mean.
-TEST_P(TrimmedPictures, AreSmoothWhereTheyEnd)
-{
-    constexpr int kParts = 12;
-    const Scene scene = sceneOf(platter(loopsOf(kRim, kHole)));
-    Frame frame = frameFor(scene);
-    frame.camera = namedView("top", scene.hullPoints(), 4.0 / 3, true).value();
-    const Picture picture = drawn(*renderer, scene, frame).picture;
-    const auto redAt = [&](int x, int y) {
-        return static_cast<double>(
-            picture.rgba[4 * (static_cast<size_t>(y) * kWidth + static_cast<size_t>(x))]);
-    };
-    const Vec2 inside = frame.camera.toPixel({1.2, 1, 0}, kWidth, kHeight).value();
-    const double covered = redAt(static_cast<int>(inside.x), static_cast<int>(inside.y));
-    const double background = kBackground[0];
-    ASSERT_GT(covered, background + 60);
-    int crossed = 0;
-    double sum = 0;
-    int far = 0;
-    for (int y = 0; y < kHeight; ++y)
-        for (int x = 0; x < kWidth; ++x) {
-            EXPECT_EQ(picture.rgba[4 * (static_cast<size_t>(y) * kWidth + static_cast<size_t>(x)) + 3], 255);
-            int hits = 0;
-            for (int k = 0; k < kParts * kParts; ++k) {
-                const Ray ray =
-                    rayThrough(frame, x + (k % kParts + 0.5) / kParts, y + (k / kParts + 0.5) / kParts);
-                const auto places = metOnPlane(ray);
-                hits += !places.empty() && onPlatter(places.front()) ? 1 : 0;
-            }
-            const double wanted = static_cast<double>(hits) / (kParts * kParts);
-            const double off = std::abs((redAt(x, y) - background) / (covered - background) - wanted);
-            if (hits == 0 || hits == kParts * kParts) {
-                EXPECT_LT(off, 0.02) << x << ", " << y;
-                continue;
-            }
-            ++crossed;
-            sum += off;
-            far += off > 0.3 ? 1 : 0;
-        }
-    EXPECT_GT(crossed, 300);
-    EXPECT_LT(sum / crossed, 0.03);
-    EXPECT_LE(far, crossed / 100);
-}
-
-// Which costs less.
-TEST_P(TrimmedPictures, AreOfWholePixelsWhereThatIsAskedFor)
-{
-    const Scene scene = sceneOf(platter(loopsOf(kRim, kHole)));
-    Frame frame = frameFor(scene);
-    frame.camera = namedView("top", scene.hullPoints(), 4.0 / 3, true).value();
-    const Picture smooth = drawn(*renderer, scene, frame).picture;
-    const KsQuadIndices shown = renderer->captureKsQuads().value();
-    frame.smoothEdges = false;
-    const Picture sharp = drawn(*renderer, scene, frame).picture;
-    const KsQuadIndices shownSharply = renderer->captureKsQuads().value();
-    size_t mixed = 0;
-    size_t differ = 0;
-    for (size_t k = 0; k < shown.indices.size(); ++k) {
-        const bool isBack = isBackground(sharp, static_cast<int>(k % kWidth), static_cast<int>(k / kWidth));
-        EXPECT_EQ(isBack, shownSharply.indices[k] == 0);
-        mixed += smooth.rgba[4 * k] != sharp.rgba[4 * k] ? 1 : 0;
-        differ += shown.indices[k] != shownSharply.indices[k] ? 1 : 0;
-    }
-    EXPECT_GT(mixed, 200U);
-    EXPECT_LE(differ, 8U);  // whose centre is as good as on a loop
 }
 
 TEST_P(TrimmedPictures, LetPicksThroughTheirHoles)

@@ -1,0 +1,78 @@
+// How borders of trimmed surfaces look, on every path: the suite and its paths are of trimming_test.cpp.
+#include <algorithm>
+#include <cmath>
+
+#include "tests/pixels/trimmed_pictures.h"
+
+namespace knotspan::testing {
+
+// Against many places in each pixel that a loop runs through. A picture of pixels that are covered or not
+// would be off by a quarter in the mean.
+TEST_P(TrimmedPictures, AreSmoothWhereTheyEnd)
+{
+    constexpr int kParts = 12;
+    const Scene scene = sceneOf(platter(loopsOf(kRim, kHole)));
+    Frame frame = frameFor(scene);
+    frame.camera = namedView("top", scene.hullPoints(), 4.0 / 3, true).value();
+    const Picture picture = drawn(*renderer, scene, frame).picture;
+    const auto redAt = [&](int x, int y) {
+        return static_cast<double>(
+            picture.rgba[4 * (static_cast<size_t>(y) * kWidth + static_cast<size_t>(x))]);
+    };
+    const Vec2 inside = frame.camera.toPixel({1.2, 1, 0}, kWidth, kHeight).value();
+    const double covered = redAt(static_cast<int>(inside.x), static_cast<int>(inside.y));
+    const double background = kBackground[0];
+    ASSERT_GT(covered, background + 60);
+    int crossed = 0;
+    double sum = 0;
+    int far = 0;
+    for (int y = 0; y < kHeight; ++y)
+        for (int x = 0; x < kWidth; ++x) {
+            EXPECT_EQ(picture.rgba[4 * (static_cast<size_t>(y) * kWidth + static_cast<size_t>(x)) + 3], 255);
+            int hits = 0;
+            for (int k = 0; k < kParts * kParts; ++k) {
+                const Ray ray =
+                    rayThrough(frame, x + (k % kParts + 0.5) / kParts, y + (k / kParts + 0.5) / kParts);
+                const auto places = metOnPlane(ray);
+                hits += !places.empty() && onPlatter(places.front()) ? 1 : 0;
+            }
+            const double wanted = static_cast<double>(hits) / (kParts * kParts);
+            const double off = std::abs((redAt(x, y) - background) / (covered - background) - wanted);
+            if (hits == 0 || hits == kParts * kParts) {
+                EXPECT_LT(off, 0.02) << x << ", " << y;
+                continue;
+            }
+            ++crossed;
+            sum += off;
+            far += off > 0.3 ? 1 : 0;
+        }
+    EXPECT_GT(crossed, 300);
+    EXPECT_LT(sum / crossed, 0.03);
+    EXPECT_LE(far, crossed / 100);
+}
+
+// Which costs less.
+TEST_P(TrimmedPictures, AreOfWholePixelsWhereThatIsAskedFor)
+{
+    const Scene scene = sceneOf(platter(loopsOf(kRim, kHole)));
+    Frame frame = frameFor(scene);
+    frame.camera = namedView("top", scene.hullPoints(), 4.0 / 3, true).value();
+    const Picture smooth = drawn(*renderer, scene, frame).picture;
+    const KsQuadIndices shown = renderer->captureKsQuads().value();
+    frame.smoothEdges = false;
+    const Picture sharp = drawn(*renderer, scene, frame).picture;
+    const KsQuadIndices shownSharply = renderer->captureKsQuads().value();
+    size_t mixed = 0;
+    size_t differ = 0;
+    for (size_t k = 0; k < shown.indices.size(); ++k) {
+        const bool isBack = isBackground(sharp, static_cast<int>(k % kWidth), static_cast<int>(k / kWidth));
+        EXPECT_EQ(isBack, shownSharply.indices[k] == 0);
+        mixed += smooth.rgba[4 * k] != sharp.rgba[4 * k] ? 1 : 0;
+        EXPECT_TRUE(shownSharply.indices[k] == 0 || shown.indices[k] != 0);
+        differ += shown.indices[k] != shownSharply.indices[k] ? 1 : 0;
+    }
+    EXPECT_GT(mixed, 200U);
+    EXPECT_LE(differ, 40U);  // whose centre is as good as on a loop, of some 400 that loops run through
+}
+
+}  // namespace knotspan::testing
