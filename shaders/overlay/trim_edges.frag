@@ -10,9 +10,8 @@ layout(location = 0) out vec4 outColour;
 
 vec3 rgbAt(ivec2 pixel) { return unpackUnorm4x8(colourAt(pixel)).rgb; }
 
-// Whether a pixel shows what lies far behind its neighbours on both sides. A trimmed surface ends exactly at its loop, its
-// neighbour's triangles end up to the tolerance before theirs: that is no gap.
-bool isBetween(ivec2 pixel, ivec2 side)
+// Whether a pixel shows what lies far behind its neighbours on both sides.
+bool isBehind(ivec2 pixel, ivec2 side)
 {
     if (!isInPicture(pixel - side) || !isInPicture(pixel + side))
         return false;
@@ -20,6 +19,16 @@ bool isBetween(ivec2 pixel, ivec2 side)
     float other = depthAt(pixel + side);
     return min(one, other) - depthAt(pixel) > 4.0 * abs(one - other) + 1e-3 * one;
 }
+
+// How many of the two say that they end near there.
+int endings(ivec2 pixel, ivec2 side)
+{
+    return int(colourAt(pixel - side) >> 24 != 255u) + int(colourAt(pixel + side) >> 24 != 255u);
+}
+
+// A trimmed surface ends exactly at its loop. Its neighbour's triangles end up to the tolerance before theirs, which goes
+// further than the pixel and so says nothing of an end: that is no gap. Where both say so there is one.
+bool isBetween(ivec2 pixel, ivec2 side) { return isBehind(pixel, side) && endings(pixel, side) == 1; }
 
 // What a surface that ends before `pixel` ends beside.
 vec3 besideAt(ivec2 pixel, ivec2 side) { return rgbAt(isBetween(pixel, side) ? pixel + side : pixel); }
@@ -43,11 +52,12 @@ void main()
     vec3 around = vec3(0.0);
     bool isBesideEdge = false;
     for (int k = 0; k < 4; ++k) {
-        if (!isBetween(here, kAcross[k]))
+        int ends = isBehind(here, kAcross[k]) ? endings(here, kAcross[k]) : 2;
+        if (ends == 2)
             continue;
         ++between;
         around += 0.5 * (rgbAt(here - kAcross[k]) + rgbAt(here + kAcross[k]));
-        isBesideEdge = isBesideEdge || min(colourAt(here - kAcross[k]) >> 24, colourAt(here + kAcross[k]) >> 24) != 255u;
+        isBesideEdge = isBesideEdge || ends == 1;
     }
     if (between > 1 || (between == 1 && isBesideEdge)) {
         outColour = vec4(around / float(between), 1.0);

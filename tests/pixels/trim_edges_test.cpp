@@ -51,6 +51,31 @@ TEST_P(TrimmedPictures, AreSmoothWhereTheyEnd)
     EXPECT_LE(far, crossed / 100);
 }
 
+// Three pixels wide, wherever pixels lie: what closes gaps between faces leaves them alone.
+TEST_P(TrimmedPictures, ShowSmallHoles)
+{
+    constexpr double kPixels = 3;
+    const Scene whole = sceneOf(platter({}));
+    Frame frame = frameFor(whole);
+    frame.camera = namedView("top", whole.hullPoints(), 4.0 / 3, true).value();
+    const auto pixelOf = [&](const Vec2& place) {
+        return frame.camera.toPixel(Vec3(place, 0), kWidth, kHeight).value();
+    };
+    const double pixel = 1 / (pixelOf({1, 0}).x - pixelOf({0, 0}).x);
+    std::vector<TrimLoop> loops = loopsOf(kRim, {{2, 1.5}, kPixels / 2 * pixel});
+    std::vector<Vec2> places{{2, 1.5}};
+    for (int k = 0; k < 24; ++k) {
+        places.emplace_back(1.1 + 0.23 * (k % 6) + 0.13 * pixel * k, 0.8 + 0.31 * (k / 6) + 0.29 * pixel * k);
+        loops.push_back(loopsOf(kRim, {places.back(), kPixels / 2 * pixel}).back());
+    }
+    const Picture picture = drawn(*renderer, sceneOf(platter(loops)), frame).picture;
+    for (const Vec2& place : places) {
+        const Vec2 at = pixelOf(place);
+        EXPECT_TRUE(isBackground(picture, static_cast<int>(at.x), static_cast<int>(at.y)))
+            << at.x << ", " << at.y;
+    }
+}
+
 // Which costs less.
 TEST_P(TrimmedPictures, AreOfWholePixelsWhereThatIsAskedFor)
 {
