@@ -18,18 +18,39 @@ bool showsSurfaces(const Scene& scene)
                        [](const auto& entry) { return entry.second->visible; });
 }
 
-// Surfaces within `deviation`, or as near to it as so many triangles come.
-Result<ComparedModel> comparedOf(const Scene& scene, double deviation, size_t most)
+// Surfaces within `deviation`, or as near to it as so many triangles come. Of a face whose edges the file has
+// further apart than a fine deviation nobody knows how far it is off: then a coarser one is nearer.
+Result<Tessellation> nearestTessellation(const Scene& scene, double deviation, size_t most)
 {
     constexpr int kTries = 20;
+    constexpr int kCoarser = 6;  // where it is not as near as asked
     constexpr double kStep = 3;
+    Result<Tessellation> best = failure("");
+    int coarser = 0;
+    for (int k = 0; k < kTries && coarser <= kCoarser; ++k, deviation *= kStep) {
+        auto made = tessellate(scene, {deviation, {}, false, most});
+        if (!made) {
+            if (!best)
+                best = std::move(made);
+            continue;
+        }
+        const bool isNear = made->bound <= deviation;
+        if (!best || made->bound < best->bound)
+            best = std::move(made);
+        if (isNear)
+            break;
+        ++coarser;
+    }
+    return best;
+}
+
+Result<ComparedModel> comparedOf(const Scene& scene, double deviation, size_t most)
+{
     ComparedModel result;
     if (showsSurfaces(scene)) {
         constexpr size_t kPerKnotSpan = 20;  // two at least
         most = std::max(most, kPerKnotSpan * scene.ksQuadCount());
-        Result<Tessellation> made = failure("");
-        for (int k = 0; k < kTries && !made; ++k, deviation *= kStep)
-            made = tessellate(scene, {deviation, {}, false, most});
+        auto made = nearestTessellation(scene, deviation, most);
         if (!made)
             return tl::unexpected(made.error());
         result.mesh = std::move(made->mesh);
