@@ -9,106 +9,14 @@
 #include <glm/geometric.hpp>
 
 #include "model/core/check.h"
-#include "model/geometry/evaluation.h"
+#include "model/trimming/projected_sheet.h"
 
 namespace knotspan {
 
 namespace {
 
-constexpr int kMostSteps = 30;
 constexpr int kMostHalvings = 16;
-constexpr double kLongestStep = 0.25;  // of the domain: further, and it is another sheet
-constexpr double kFlattest = 1e-7;     // share of the steepest that the picture of the surface may shrink to
-
-// The surface as it falls onto the plane; beyond its border it goes on straight, across seams as it does.
-class Sheet {
-public:
-    Sheet(const NurbsSurface& surface, const PlaneProjection& projection)
-        : surface_(surface),
-          transform_(projection.transform),
-          toPlane_(projection.toPlane * projection.transform),
-          low_(surface.knotsU().domainStart(), surface.knotsV().domainStart()),
-          high_(surface.knotsU().domainEnd(), surface.knotsV().domainEnd()),
-          isClosed_{surface.isClosedU(), surface.isClosedV()}
-    {
-    }
-
-    [[nodiscard]] Vec2 size() const { return high_ - low_; }
-    [[nodiscard]] Vec3 position(const Vec2& at) const
-    {
-        return Vec3(transform_ * Vec4(pointAt(at).position, 1));
-    }
-
-    struct Picture {
-        Vec2 at;
-        Vec2 byU;
-        Vec2 byV;
-        [[nodiscard]] double turn() const { return byU.x * byV.y - byU.y * byV.x; }
-        [[nodiscard]] bool isEdgeOn() const
-        {
-            return std::abs(turn()) <= kFlattest * glm::length(byU) * glm::length(byV);
-        }
-        // The change of u and v that moves the picture by that.
-        [[nodiscard]] Vec2 solve(const Vec2& by) const
-        {
-            return Vec2(by.x * byV.y - by.y * byV.x, byU.x * by.y - byU.y * by.x) / turn();
-        }
-    };
-    [[nodiscard]] std::optional<Picture> picture(const Vec2& at) const
-    {
-        const SurfacePoint point = pointAt(at);
-        const Vec4 place = toPlane_ * Vec4(point.position, 1);
-        if (!(place.w > 0))
-            return std::nullopt;
-        const Vec4 byU = toPlane_ * Vec4(point.du, 0);
-        const Vec4 byV = toPlane_ * Vec4(point.dv, 0);
-        const Vec2 where = Vec2(place.x, place.y) / place.w;
-        return Picture{where, (Vec2(byU.x, byU.y) - byU.w * where) / place.w,
-                       (Vec2(byV.x, byV.y) - byV.w * where) / place.w};
-    }
-
-    // Newton's method.
-    [[nodiscard]] std::optional<Vec2> placeOf(const Vec2& point, const Vec2& start) const
-    {
-        Vec2 at = start;
-        for (int step = 0; step < kMostSteps; ++step) {
-            const auto now = picture(at);
-            if (!now || now->isEdgeOn())
-                return std::nullopt;
-            Vec2 by = now->solve(point - now->at);
-            const double share = std::max(std::abs(by.x) / size().x, std::abs(by.y) / size().y);
-            if (!std::isfinite(share))
-                return std::nullopt;
-            if (share > kLongestStep)
-                by *= kLongestStep / share;
-            at += by;
-            if (share < 1e-13)
-                return at;
-        }
-        const auto last = picture(at);
-        return last && glm::length(last->at - point) < 1e-9 * (1 + glm::length(point)) ? std::optional(at)
-                                                                                       : std::nullopt;
-    }
-
-private:
-    [[nodiscard]] SurfacePoint pointAt(Vec2 at) const
-    {
-        for (const int axis : {0, 1})
-            if (isClosed_[static_cast<size_t>(axis)] && (at[axis] < low_[axis] || at[axis] > high_[axis]))
-                at[axis] -= std::floor((at[axis] - low_[axis]) / size()[axis]) * size()[axis];
-        const Vec2 inside = glm::clamp(at, low_, high_);
-        SurfacePoint point = evaluate(surface_, inside.x, inside.y);
-        point.position += (at.x - inside.x) * point.du + (at.y - inside.y) * point.dv;
-        return point;
-    }
-
-    const NurbsSurface& surface_;
-    Mat4 transform_;
-    Mat4 toPlane_;
-    Vec2 low_;
-    Vec2 high_;
-    std::array<bool, 2> isClosed_;
-};
+constexpr double kFarthest = 0.5;  // of the domain: further, and it is another sheet
 
 struct Knot {
     double t = 0;
@@ -133,7 +41,7 @@ Vec2 pointOf(std::array<Vec2, 4> points, double s)
 
 class Following {
 public:
-    Following(const Sheet& sheet, const PlanePiece& piece, double tolerance)
+    Following(const ProjectedSheet& sheet, const PlanePiece& piece, double tolerance)
         : sheet_(sheet),
           piece_(piece),
           tolerance_(tolerance)
@@ -188,7 +96,7 @@ private:
             turn_ = picture->turn();
         const auto to = knotAt(end, from.at + (end - from.t) * from.change);
         const bool isNear =
-            to && glm::all(glm::lessThan(glm::abs(to->at - from.at), 2 * kLongestStep * sheet_.size()));
+            to && glm::all(glm::lessThan(glm::abs(to->at - from.at), kFarthest * sheet_.size()));
         const auto error = isNear ? errorOf(from, *to) : std::nullopt;
         if (error && *error <= tolerance_) {
             knots_.push_back(*to);
@@ -200,7 +108,7 @@ private:
         return reach((from.t + end) / 2, halvings + 1) && reach(end, halvings + 1);
     }
 
-    const Sheet& sheet_;
+    const ProjectedSheet& sheet_;
     const PlanePiece& piece_;
     double tolerance_;
     double turn_ = 0;  // which side of the sheet is seen
@@ -302,13 +210,13 @@ PlaneCurve closedSpline(const std::vector<Vec2>& points)
 std::optional<Vec2> projectedPlace(const NurbsSurface& surface, const PlaneProjection& projection,
                                    const Vec2& point, const Vec2& start)
 {
-    return Sheet(surface, projection).placeOf(point, start);
+    return ProjectedSheet(surface, projection).placeOf(point, start);
 }
 
 Result<ProjectedCurve> projectedOnto(const NurbsSurface& surface, const PlaneProjection& projection,
                                      const PlaneCurve& curve, const Vec2& start, double tolerance)
 {
-    const Sheet sheet(surface, projection);
+    const ProjectedSheet sheet(surface, projection);
     ProjectedCurve result;
     std::vector<std::vector<Knot>> parts;
     Vec2 at = start;
