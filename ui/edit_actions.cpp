@@ -5,6 +5,7 @@
 
 #include "model/trimming/loop_combining.h"
 #include "ui/action_rows.h"
+#include "ui/border_trim.h"
 #include "ui/match_dialog.h"
 #include "ui/panels/friends_panel.h"
 #include "ui/refine_dialog.h"
@@ -232,6 +233,22 @@ const std::vector<ActionInfo>& editActions()
          .tip = TEXT("Take the holes out of the selected trimmed surfaces; their outlines stay"),
          .run = [](Window& w, bool) { fillHoles(w); },
          .isEnabled = hasTrimmed},
+        {.id = "edit.trimBySelected",
+         .text = TEXT("&Trim by selected"),
+         .shortcuts = {QKeySequence("Ctrl+Shift+T")},
+         .tip = TEXT(
+             "Cut holes into the surface selected last, where the borders of the other selected ones lie "
+             "over it in the view"),
+         .run = [](Window& w, bool) { trimBySelected(w, KeptSide::outside); },
+         .isEnabled = hasSelection},
+        {.id = "edit.keepInsideSelected",
+         .text = TEXT("Keep in&side selected"),
+         .shortcuts = {},
+         .tip = TEXT(
+             "Trim the surface selected last to what lies inside the borders of the other selected ones, "
+             "as seen in the view"),
+         .run = [](Window& w, bool) { trimBySelected(w, KeptSide::inside); },
+         .isEnabled = hasSelection},
     };
     return kList;
 }

@@ -1,5 +1,10 @@
 #include "ui/tools/selection.h"
 
+#include <algorithm>
+#include <iterator>
+#include <utility>
+#include <vector>
+
 namespace knotspan {
 
 namespace {
@@ -21,11 +26,24 @@ bool isIn(const Scene& scene, const PickedControlPoint& point)
 
 }  // namespace
 
+void Selection::noteLatest(const std::set<ObjectId>& before)
+{
+    std::vector<ObjectId> added;
+    std::set_difference(objects_.begin(), objects_.end(), before.begin(), before.end(),
+                        std::back_inserter(added));
+    if (objects_.size() == 1)
+        latest_ = *objects_.begin();
+    else if (added.size() == 1)
+        latest_ = added.front();
+    else if (!added.empty() || (latest_ && !contains(*latest_)))
+        latest_.reset();
+}
+
 void Selection::setObjects(std::set<ObjectId> objects, std::set<ObjectId> meshes)
 {
     if (objects == objects_ && meshes == meshes_)
         return;
-    objects_ = std::move(objects);
+    noteLatest(std::exchange(objects_, std::move(objects)));
     meshes_ = std::move(meshes);
     PointSelection others;
     for (const auto& [id, chosen] : points_.objects())
@@ -40,8 +58,10 @@ void Selection::setPoints(PointSelection points)
     if (points == points_)
         return;
     points_ = std::move(points);
+    const std::set<ObjectId> before = objects_;
     for (const auto& [id, chosen] : points_.objects())
         objects_.insert(id);
+    noteLatest(before);
     Q_EMIT changed();
 }
 
@@ -68,6 +88,7 @@ void Selection::clear()
     if (objects_.empty() && meshes_.empty() && !hovered_ && !hoveredObject_)
         return;
     objects_.clear();
+    latest_.reset();
     meshes_.clear();
     points_ = {};
     hovered_.reset();

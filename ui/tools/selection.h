@@ -20,6 +20,8 @@ public:
 
     [[nodiscard]] const std::set<ObjectId>& objects() const { return objects_; }
     [[nodiscard]] bool contains(ObjectId id) const { return objects_.count(id) != 0; }
+    // The one that came to the others last, or is alone; nothing where several came at once.
+    [[nodiscard]] const std::optional<ObjectId>& latest() const { return latest_; }
     // Of the scene's meshes, which no tool takes.
     [[nodiscard]] const std::set<ObjectId>& meshes() const { return meshes_; }
     [[nodiscard]] const PointSelection& points() const { return points_; }
@@ -43,7 +45,10 @@ Q_SIGNALS:
     void changed();  // any of them
 
 private:
+    void noteLatest(const std::set<ObjectId>& before);
+
     std::set<ObjectId> objects_;
+    std::optional<ObjectId> latest_;
     std::set<ObjectId> meshes_;
     PointSelection points_;
     std::optional<PickedControlPoint> hovered_;

@@ -4,43 +4,20 @@
 #include <cmath>
 
 #include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
 
 #include "model/sculpting/screen_selection.h"
 #include "model/sculpting/surface_snapping.h"
 #include "ui/tools/steadiness.h"
+#include "ui/tools/trim_sight.h"
 
 namespace knotspan {
 
 namespace {
 
 constexpr size_t kFewest = 3;
-constexpr double kClosingPx = 9;    // so near to the first point a click closes
-constexpr double kCoarsest = 1e-4;  // of the surface's size: no curve is further off
-constexpr double kFinest = 1e-7;    // nor finer than that
+constexpr double kClosingPx = 9;  // so near to the first point a click closes
 constexpr int kStrokesPerPart = 12;
 constexpr std::uint32_t kColour = 0xffc861;
-
-// From model space to pixels times depth, as Camera::toPixel.
-Mat4 toPixels(const ToolContext& context)
-{
-    const Camera& camera = context.camera;
-    const Mat4 rotation = camera.rotation();
-    const Vec2 middle(0.5 * context.width, 0.5 * context.height);
-    const double scale = 0.5 * context.height / std::tan(glm::radians(camera.verticalFovDegrees) * 0.5);
-    Mat4 fromView(0.0);
-    fromView[0][0] = scale;
-    fromView[1][1] = -scale;
-    if (camera.orthographic) {
-        const double depth = camera.distance();
-        fromView[3] = Vec4(middle.x * depth, middle.y * depth, 0, depth);
-    } else {
-        fromView[2] = Vec4(-middle.x, -middle.y, 0, -1);
-    }
-    Mat4 fromEye(1.0);
-    fromEye[3] = Vec4(-camera.eye, 1);
-    return fromView * rotation * fromEye;
-}
 
 Stroke line(const ToolContext& context, const Vec2& from, const Vec2& to, float opacity)
 {
@@ -233,10 +210,9 @@ Result<TrimTool::Choice> TrimTool::choiceOf(const ToolContext& context) const
     const SceneObject& object = *choice.before;
     std::vector<Vec2> order = pixels();
     std::rotate(order.begin(), order.begin() + (first - corners_.begin()), order.end());
-    const double size = object.bounds().diagonal();
-    const double tolerance = std::clamp(context.settings.friends.gap, kFinest * size, kCoarsest * size);
-    const auto curve = projectedOnto(object.surface, {toPixels(context), object.transform},
-                                     curveThrough(order), *first->place, tolerance);
+    const Sight sight = sightOf(context.camera, context.width, context.height);
+    const auto curve = projectedOnto(object.surface, {sight.toPlane, object.transform}, curveThrough(order),
+                                     *first->place, trimTolerance(context.settings, object));
     if (!curve)
         return tl::unexpected(curve.error());
     choice.error = curve->error;
