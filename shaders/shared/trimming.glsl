@@ -7,14 +7,16 @@
 //
 // One array of words, made by model/trimming/trim_index.h. First a word for each KSQuad: TRIM_INSIDE, TRIM_OUTSIDE,
 // TRIM_WHOLE, or where its record starts; places within a record count from there:
-//     TRIM_ROWS words, a row of the KSQuad each: for each of as many squares in it two bits, whether all of it is TRIM_INSIDE,
-//         TRIM_OUTSIDE, or TRIM_NEAR to a curve
+//     squares: their shape (TrimSquares), and 64 x where they start
 //     how many bands; then for each band, rising
 //         float where it starts (0 for the first); where its cells start; 2 x how many + 1 where its left end is inside
 //     cells: float start and end; where its pieces are listed; 4 x how many + 2 (right end inside) + 1 (left end)
 //     lists of pieces: where each starts
 //     pieces: degree, TRIM_RATIONAL; x and y of the first point, of the last one; x, y and, if rational, weight of those
 //     between. The first and the last one have the weight 1.
+//     squares: words of 16 squares beside each other, two bits each: whether all of it is TRIM_INSIDE, TRIM_OUTSIDE, or
+//     TRIM_NEAR to a curve. 16 << columns of them along u, 16 << rows along v, row by row; then the same of half as many
+//     along each, but of 16 at least, until both are 16.
 #ifndef KNOTSPAN_TRIMMING_GLSL
 #define KNOTSPAN_TRIMMING_GLSL
 
@@ -43,11 +45,11 @@ inline float uintBitsToFloat(uint word)
 #define TRIM_RECORDS 3u  // what is not below is where a record starts
 #define TRIM_NEAR 3u     // of a box: a curve may run through it
 #define TRIM_RATIONAL 256u
-#define TRIM_ROWS 16
-#define TRIM_ALL_OUTSIDE 0x55555555u  // a row
+#define TRIM_SQUARES 16           // of a word
+#define TRIM_MOST_DOUBLINGS 4u    // 256 squares along u, or v
+#define TRIM_ALL_OUTSIDE 0x55555555u  // a word
 #define TRIM_STEPS 16  // halvings of a piece: what is left of it is straight, as far as float tells
 #define TRIM_BELOW_ONE 0.99999994f
-#define TRIM_MOST_BANDS 4  // that are looked at for one box
 
 KNOTSPAN_SCENE_TEMPLATE
 KNOTSPAN_INLINE float trimNumber(KNOTSPAN_SOURCE uint index)
@@ -196,8 +198,8 @@ KNOTSPAN_SCENE_TEMPLATE
 KNOTSPAN_INLINE bool trimRecordContains(KNOTSPAN_SOURCE uint record, vec2 t)
 {
     t.y = min(t.y, TRIM_BELOW_ONE);  // the upper border belongs to the KSQuad
-    uint bands = KNOTSPAN_TRIM_WORD(record + uint(TRIM_ROWS));
-    uint first = record + uint(TRIM_ROWS) + 1u;
+    uint bands = KNOTSPAN_TRIM_WORD(record + 1u);
+    uint first = record + 2u;
     uint band = first + 3u * trimEntry(KNOTSPAN_PASS_SOURCE first, 3u, bands, t.y);
     uint count = KNOTSPAN_TRIM_WORD(band + 2u);
     bool inside = (count & 1u) != 0u;
@@ -219,26 +221,39 @@ KNOTSPAN_INLINE bool trimRecordContains(KNOTSPAN_SOURCE uint record, vec2 t)
     return inside;
 }
 
-// What the rows say of a box.
+// Of a record: its squares in finest, and how often those were doubled from 16 along u and along v.
+struct TrimSquares {
+    uint start;
+    uint columns;
+    uint rows;
+};
+
 KNOTSPAN_SCENE_TEMPLATE
-KNOTSPAN_INLINE uint trimRowSide(KNOTSPAN_SOURCE uint record, vec2 low, vec2 high)
+KNOTSPAN_INLINE TrimSquares trimSquares(KNOTSPAN_SOURCE uint record)
 {
-    const float kRows = float(TRIM_ROWS);
-    uint left = uint(min(max(low.x * kRows, 0.0f), kRows - 1.0f));
-    uint right = uint(min(max(high.x * kRows, 0.0f), kRows - 1.0f));
-    uint bottom = uint(min(max(low.y * kRows, 0.0f), kRows - 1.0f));
-    uint top = uint(min(max(high.y * kRows, 0.0f), kRows - 1.0f));
-    uint squares = (0xffffffffu >> (2u * (uint(TRIM_ROWS) - 1u - right + left))) << (2u * left);
-    uint notInside = 0u;
-    uint notOutside = 0u;
-    for (uint row = bottom; row <= top; ++row) {
-        uint word = KNOTSPAN_TRIM_WORD(record + row);
-        notInside |= word & squares;
-        notOutside |= (word ^ TRIM_ALL_OUTSIDE) & squares;
-    }
-    if (notInside == 0u)
-        return TRIM_INSIDE;
-    return notOutside == 0u ? TRIM_OUTSIDE : TRIM_NEAR;
+    uint word = KNOTSPAN_TRIM_WORD(record);
+    TrimSquares squares;
+    squares.start = record + (word >> 6u);
+    squares.columns = word & 7u;
+    squares.rows = (word >> 3u) & 7u;
+    return squares;
+}
+
+KNOTSPAN_INLINE uint trimSquareAt(float t, uint doublings)
+{
+    float count = float(uint(TRIM_SQUARES) << doublings);
+    return uint(min(max(t * count, 0.0f), count - 1.0f));
+}
+
+// What the finest square says that t is in.
+KNOTSPAN_SCENE_TEMPLATE
+KNOTSPAN_INLINE uint trimSquareSide(KNOTSPAN_SOURCE uint record, vec2 t)
+{
+    TrimSquares squares = trimSquares(KNOTSPAN_PASS_SOURCE record);
+    uint column = trimSquareAt(t.x, squares.columns);
+    uint row = trimSquareAt(t.y, squares.rows);
+    uint word = KNOTSPAN_TRIM_WORD(squares.start + (row << squares.columns) + column / uint(TRIM_SQUARES));
+    return (word >> (2u * (column % uint(TRIM_SQUARES)))) & 3u;
 }
 
 // `t`: 0 to 1 across the KSQuad of that number.
@@ -248,128 +263,8 @@ KNOTSPAN_INLINE bool trimContains(KNOTSPAN_SOURCE uint ksquad, vec2 t)
     uint record = KNOTSPAN_TRIM_WORD(ksquad);
     if (record < TRIM_RECORDS)
         return record != TRIM_OUTSIDE;
-    uint square = trimRowSide(KNOTSPAN_PASS_SOURCE record, t, t);
+    uint square = trimSquareSide(KNOTSPAN_PASS_SOURCE record, t);
     return square == TRIM_NEAR ? trimRecordContains(KNOTSPAN_PASS_SOURCE record, t) : square == TRIM_INSIDE;
-}
-
-// A box around t that may reach into other bands: from `low` to `high`.
-struct TrimBox {
-    vec2 t;
-    vec2 low;
-    vec2 high;
-};
-
-// Whether a piece lies to the left of t, at t's height: 0 or 1; TRIM_NEAR where it may run through the box, which lies in
-// one band.
-KNOTSPAN_SCENE_TEMPLATE
-KNOTSPAN_INLINE uint trimPasses(KNOTSPAN_SOURCE uint start, TrimBox box)
-{
-    TrimPiece piece = trimPieceEnds(KNOTSPAN_PASS_SOURCE start);
-    bool rises = piece.first.y <= piece.last.y;
-    vec2 low = rises ? piece.first : piece.last;
-    vec2 high = rises ? piece.last : piece.first;
-    if (box.high.y < low.y || box.low.y > high.y)
-        return 0u;
-    uint left = box.t.y >= low.y && box.t.y < high.y ? 1u : 0u;
-    float bottom = max(box.low.y, low.y);
-    float top = min(box.high.y, high.y);
-    bool isLine = trimIsLine(piece);
-    if (isLine && high.y > low.y) {
-        vec2 corner = low;
-        float slope = (high.x - low.x) / (high.y - low.y);
-        low = vec2(corner.x + slope * (bottom - corner.y), bottom);
-        high = vec2(corner.x + slope * (top - corner.y), top);
-    }
-    float below = rises ? 0.0f : 1.0f;
-    float above = 1.0f - below;
-    int steps = isLine ? 0 : TRIM_STEPS;
-    if (!isLine)
-        trimHoldInner(KNOTSPAN_PASS_SOURCE piece);
-    for (int step = 0; step < steps; ++step) {
-        if (box.high.x < min(low.x, high.x))
-            return 0u;
-        if (box.low.x > max(low.x, high.x))
-            return left;
-        float s = 0.5f * (below + above);
-        vec2 at = trimPlace(KNOTSPAN_PASS_SOURCE piece, s);
-        if (bottom > at.y) {
-            low = at;
-            below = s;
-        } else if (top < at.y) {
-            high = at;
-            above = s;
-        } else {
-            return TRIM_NEAR;
-        }
-    }
-    if (box.high.x < min(low.x, high.x))
-        return 0u;
-    return box.low.x > max(low.x, high.x) ? left : TRIM_NEAR;
-}
-
-// Of the part of the box that lies in one band, `next`: where the band above starts.
-KNOTSPAN_SCENE_TEMPLATE
-KNOTSPAN_INLINE uint trimBandSide(KNOTSPAN_SOURCE uint record, uint band, float next, TrimBox box)
-{
-    float bottom = trimNumber(KNOTSPAN_PASS_SOURCE band);
-    box.low.y = max(box.low.y, bottom);
-    box.high.y = min(box.high.y, next);
-    box.t.y = min(max(box.t.y, box.low.y), box.high.y);
-    uint count = KNOTSPAN_TRIM_WORD(band + 2u);
-    uint inside = count & 1u;
-    count = count >> 1u;
-    if (count == 0u)
-        return 1u - inside;
-    uint cells = record + KNOTSPAN_TRIM_WORD(band + 1u);
-    uint cell = cells + 4u * trimEntry(KNOTSPAN_PASS_SOURCE cells, 4u, count, box.high.x);
-    if (box.high.x < trimNumber(KNOTSPAN_PASS_SOURCE cell))
-        return 1u - inside;
-    uint pieces = KNOTSPAN_TRIM_WORD(cell + 3u);
-    if (box.low.x > trimNumber(KNOTSPAN_PASS_SOURCE cell + 1u))
-        return (pieces & 2u) != 0u ? TRIM_INSIDE : TRIM_OUTSIDE;
-    if (cell != cells && box.low.x <= trimNumber(KNOTSPAN_PASS_SOURCE cell - 3u))
-        return TRIM_NEAR;  // the cell before it, too
-    inside = pieces & 1u;
-    uint list = record + KNOTSPAN_TRIM_WORD(cell + 2u);
-    for (uint k = 0u; k < pieces >> 2u; ++k) {
-        uint left = trimPasses(KNOTSPAN_PASS_SOURCE record + KNOTSPAN_TRIM_WORD(list + k), box);
-        if (left == TRIM_NEAR)
-            return TRIM_NEAR;
-        inside ^= left;
-    }
-    return 1u - inside;
-}
-
-// TRIM_INSIDE or TRIM_OUTSIDE where that holds for all places of a KSQuad within `reach` of t, else TRIM_NEAR: then
-// trimContains() knows. The box must not leave the KSQuad. Says TRIM_NEAR too often rather than too rarely.
-KNOTSPAN_SCENE_TEMPLATE
-KNOTSPAN_INLINE uint trimSide(KNOTSPAN_SOURCE uint ksquad, vec2 t, vec2 reach)
-{
-    uint record = KNOTSPAN_TRIM_WORD(ksquad);
-    if (record < TRIM_RECORDS)
-        return record == TRIM_OUTSIDE ? TRIM_OUTSIDE : TRIM_INSIDE;
-    TrimBox box;
-    box.t = t;
-    box.low = t - reach;
-    box.high = t + reach;
-    uint side = trimRowSide(KNOTSPAN_PASS_SOURCE record, box.low, box.high);
-    if (side != TRIM_NEAR)
-        return side;
-    uint bands = KNOTSPAN_TRIM_WORD(record + uint(TRIM_ROWS));
-    uint entries = record + uint(TRIM_ROWS) + 1u;
-    uint first = trimEntry(KNOTSPAN_PASS_SOURCE entries, 3u, bands, box.low.y);
-    for (uint k = 0u; k <= uint(TRIM_MOST_BANDS); ++k) {
-        uint band = entries + 3u * (first + k);
-        bool isLast = first + k + 1u == bands;
-        float next = isLast ? 1.0f : trimNumber(KNOTSPAN_PASS_SOURCE band + 3u);
-        uint here = k == uint(TRIM_MOST_BANDS) ? TRIM_NEAR : trimBandSide(KNOTSPAN_PASS_SOURCE record, band, next, box);
-        if (here == TRIM_NEAR || (k > 0u && here != side))
-            return TRIM_NEAR;
-        side = here;
-        if (isLast || next > box.high.y)
-            break;
-    }
-    return side;
 }
 
 #ifdef __cplusplus

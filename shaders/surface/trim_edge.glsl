@@ -72,8 +72,8 @@ PlaceInLoops placeInLoops(uint record, vec2 centre, mat2 toPixels, vec2 reach)
     vec2 low = centre - reach;
     vec2 high = centre + reach;
     vec2 scale = vec2(length(toPixels[0]), length(toPixels[1]));
-    uint bands = trimWords[record + uint(TRIM_ROWS)];
-    uint entries = record + uint(TRIM_ROWS) + 1u;
+    uint bands = trimWords[record + 1u];
+    uint entries = record + 2u;
     for (uint k = trimEntry(entries, 3u, bands, low.y); k < bands; ++k) {
         uint band = entries + 3u * k;
         float bottom = trimNumber(band);

@@ -24,13 +24,45 @@ float reachPx(uint surface) { return TRIM_EDGE_REACH + (isFlat(surface) ? 0.0 : 
 vec2 aimedT() { return inInverseWeight > 0.0 ? inWeightedT / inInverseWeight : inT; }
 mat2 aimedChanges() { return mat2(dFdx(aimedT()), dFdy(aimedT())); }
 
+// What a record's squares say of a box, finer ones of a smaller box.
+uint boxSide(uint record, vec2 low, vec2 high)
+{
+    const uint kWord = uint(TRIM_SQUARES);
+    const vec2 kMost = vec2(16.0, 2.0);  // squares that a box is across: those beside each other cost little
+    TrimSquares squares = trimSquares(record);
+    uvec2 doublings = uvec2(squares.columns, squares.rows);
+    vec2 across = (high - low) * vec2(uvec2(TRIM_SQUARES) << doublings) / kMost;
+    vec2 halvings = min(ceil(log2(max(across, 1.0))), vec2(doublings));
+    for (uint k = uint(max(halvings.x, halvings.y)); k > 0u; --k) {
+        squares.start += uint(TRIM_SQUARES) << (doublings.x + doublings.y);
+        doublings = max(doublings, 1u) - 1u;
+    }
+    uint left = trimSquareAt(low.x, doublings.x);
+    uint right = trimSquareAt(high.x, doublings.x);
+    uint top = trimSquareAt(high.y, doublings.y);
+    uint notInside = 0u;
+    uint notOutside = 0u;
+    for (uint row = trimSquareAt(low.y, doublings.y); row <= top; ++row)
+        for (uint part = left / kWord; part <= right / kWord; ++part) {
+            uint first = max(left, kWord * part) - kWord * part;
+            uint last = min(right - kWord * part, kWord - 1u);
+            uint asked = (0xffffffffu >> (2u * (kWord - 1u - last + first))) << (2u * first);
+            uint word = trimWords[squares.start + (row << doublings.x) + part];
+            notInside |= word & asked;
+            notOutside |= (word ^ TRIM_ALL_OUTSIDE) & asked;
+        }
+    if (notInside == 0u)
+        return TRIM_INSIDE;
+    return notOutside == 0u ? TRIM_OUTSIDE : TRIM_NEAR;
+}
+
 // What loops leave of all places that this pixel and its neighbours may show: TRIM_INSIDE, TRIM_OUTSIDE, or TRIM_NEAR.
 // Looks at words only that hold for many places.
 uint sideAround(PixelPlace place, uint word, vec2 reach)
 {
     bool isWithin = all(greaterThan(place.t, reach)) && all(lessThan(place.t, 1.0 - reach));
     if (word >= TRIM_RECORDS)
-        return trimRowSide(word, place.t - reach, place.t + reach);
+        return boxSide(word, place.t - reach, place.t + reach);
     if (isWithin)
         return word;
     uint surface = ksquads[place.ksquad].surface;
@@ -63,7 +95,7 @@ PixelPlace aimedPlace(uint surface, PixelPlace place, inout mat2 along)
 // Where loops leave nothing of the pixel's centre. `along`: how aimedT() changes from pixel to pixel.
 void discardSharply(PixelPlace place, uint word, mat2 along)
 {
-    uint side = word < TRIM_RECORDS ? word : trimRowSide(word, place.t, place.t);
+    uint side = word < TRIM_RECORDS ? word : trimSquareSide(word, place.t);
     if (side == TRIM_OUTSIDE)
         discard;
     if (side != TRIM_NEAR)
