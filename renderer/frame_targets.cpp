@@ -22,14 +22,20 @@ VkRenderingAttachmentInfo attachment(const Image& image, VkImageLayout layout, V
     return info;
 }
 
-void copyPart(VkCommandBuffer commands, const Image& image, VkImageAspectFlags aspect, VkRect2D part,
-              VkBuffer to, VkDeviceSize offset)
+VkBufferImageCopy copyOf(VkImageAspectFlags aspect, VkRect2D part, VkDeviceSize offset)
 {
     VkBufferImageCopy copy{};
     copy.bufferOffset = offset;
     copy.imageSubresource = {aspect, 0, 0, 1};
     copy.imageOffset = {part.offset.x, part.offset.y, 0};
     copy.imageExtent = {part.extent.width, part.extent.height, 1};
+    return copy;
+}
+
+void copyPart(VkCommandBuffer commands, const Image& image, VkImageAspectFlags aspect, VkRect2D part,
+              VkBuffer to, VkDeviceSize offset)
+{
+    const VkBufferImageCopy copy = copyOf(aspect, part, offset);
     vkCmdCopyImageToBuffer(commands, image.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, to, 1, &copy);
 }
 
@@ -53,7 +59,8 @@ FrameTargets::FrameTargets(const Device& device, VkExtent2D extent)
     : device_(device),
       extent_(extent),
       colour_(device, kColourFormat, extent,
-              VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
+              VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
+                  VK_IMAGE_USAGE_TRANSFER_DST_BIT,
               VK_IMAGE_ASPECT_COLOR_BIT),
       indices_(device, kIndexFormat, extent,
                VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
@@ -114,28 +121,46 @@ void FrameTargets::pause(VkCommandBuffer commands, const Copies& copies)
     constexpr VkPipelineStageFlags2 kReaders =
         VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_2_ALL_GRAPHICS_BIT;
     constexpr VkPipelineStageFlags2 kTransfer = VK_PIPELINE_STAGE_2_TRANSFER_BIT;
-    const bool withColours = copies.colours != VK_NULL_HANDLE;
+    const bool withPixels = copies.pixels != VK_NULL_HANDLE;
     vkCmdEndRendering(commands);
     depth_.transition(commands, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, kDepthTests, kDepth, kTransfer,
                       VK_ACCESS_2_TRANSFER_READ_BIT);
-    if (withColours)
-        colour_.transition(commands, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, kColours, kColour, kTransfer,
-                           VK_ACCESS_2_TRANSFER_READ_BIT);
+    if (withPixels)
+        for (Image* image : {&colour_, &indices_})
+            image->transition(commands, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, kColours, kColour, kTransfer,
+                              VK_ACCESS_2_TRANSFER_READ_BIT);
     // What is made next takes the place of what the drawing stages have read and counted.
     memoryBarrier(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_WRITE_BIT,
                   VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
                   VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT);
     copyPart(commands, depth_, VK_IMAGE_ASPECT_DEPTH_BIT, {{0, 0}, extent_}, copies.depths,
              copies.depthsFrom);
-    if (withColours)
-        copyPart(commands, colour_, VK_IMAGE_ASPECT_COLOR_BIT, {{0, 0}, extent_}, copies.colours, 0);
+    if (withPixels) {
+        copyPart(commands, colour_, VK_IMAGE_ASPECT_COLOR_BIT, {{0, 0}, extent_}, copies.pixels, 0);
+        copyPart(commands, indices_, VK_IMAGE_ASPECT_COLOR_BIT, {{0, 0}, extent_}, copies.pixels,
+                 copies.shownFrom);
+    }
     memoryBarrier(commands, kTransfer, VK_ACCESS_2_TRANSFER_WRITE_BIT, kReaders,
                   VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT);
     depth_.transition(commands, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, kTransfer,
                       VK_ACCESS_2_TRANSFER_READ_BIT, kDepthTests, kDepth);
-    if (withColours)
-        colour_.transition(commands, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, kTransfer,
-                           VK_ACCESS_2_TRANSFER_READ_BIT, kColours, kColour);
+    if (withPixels)
+        for (Image* image : {&colour_, &indices_})
+            image->transition(commands, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, kTransfer,
+                              VK_ACCESS_2_TRANSFER_READ_BIT, kColours, kColour);
+}
+
+void FrameTargets::put(VkCommandBuffer commands, VkBuffer colours)
+{
+    constexpr VkPipelineStageFlags2 kColours = VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT;
+    constexpr VkAccessFlags2 kColour =
+        VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT;
+    colour_.transition(commands, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, kColours, kColour,
+                       VK_PIPELINE_STAGE_2_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT);
+    const VkBufferImageCopy copy = copyOf(VK_IMAGE_ASPECT_COLOR_BIT, {{0, 0}, extent_}, 0);
+    vkCmdCopyBufferToImage(commands, colours, colour_.get(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &copy);
+    colour_.transition(commands, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, VK_PIPELINE_STAGE_2_TRANSFER_BIT,
+                       VK_ACCESS_2_TRANSFER_WRITE_BIT, kColours, kColour);
 }
 
 void FrameTargets::resume(VkCommandBuffer commands)
@@ -172,10 +197,11 @@ KsQuadIndices FrameTargets::readKsQuads() const
 {
     KsQuadIndices ksquads{static_cast<int>(extent_.width), static_cast<int>(extent_.height), {}};
     ksquads.indices.resize(size_t{1} * extent_.width * extent_.height);
-    const size_t bytes = ksquads.indices.size() * sizeof(ksquads.indices[0]);
-    const Buffer readBack(device_, bytes, Buffer::Place::readBack);
+    constexpr size_t kBytes = 2 * sizeof(std::uint32_t);  // the index, and where in the KSQuad
+    const Buffer readBack(device_, kBytes * ksquads.indices.size(), Buffer::Place::readBack);
     copyOut(device_, indices_, readBack);
-    std::memcpy(ksquads.indices.data(), readBack.mapped(), bytes);
+    for (size_t k = 0; k < ksquads.indices.size(); ++k)
+        std::memcpy(&ksquads.indices[k], readBack.mapped() + kBytes * k, sizeof(ksquads.indices[k]));
     return ksquads;
 }
 

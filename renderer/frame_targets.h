@@ -19,18 +19,23 @@ public:
     void begin(VkCommandBuffer commands);
     void end(VkCommandBuffer commands);
     // Between begin() and end(): nothing is drawn until resume(), and buffers get each pixel's depth so far,
-    // and its colour where one is named. All stages may read them.
+    // and where one is named its colour and what it shows (eight bytes, pixel_place.glsl). All stages may
+    // read them.
     struct Copies {
         VkBuffer depths;
         VkDeviceSize depthsFrom = 0;
-        VkBuffer colours = VK_NULL_HANDLE;
+        VkBuffer pixels = VK_NULL_HANDLE;
+        VkDeviceSize shownFrom = 0;
     };
     void pause(VkCommandBuffer commands, const Copies& copies);
     void resume(VkCommandBuffer commands);
+    // While paused: other colours, as pause() copies them.
+    void put(VkCommandBuffer commands, VkBuffer colours);
 
     [[nodiscard]] KsQuadIndices readKsQuads() const;
     struct Pixel {
         std::uint32_t ksquad = 0;  // the index + 1; 0: the background
+        std::uint32_t place = 0;   // in it (pixel_place.glsl)
         float depth = 0;           // of the middle of the pixel, as the projection gives it
     };
     [[nodiscard]] Pixel pixelAt(std::uint32_t x, std::uint32_t y);

@@ -188,7 +188,7 @@ FrameStats Renderer::Parts::draw(const Frame& wantedFrame, bool capture)
             deviationRecords.send(deviations.words());
         prepareOverlays(frame.overlays);
         if (hasTrimEdges(frame))
-            trimEdges.prepare(targets->extent());
+            trimEdges.prepare(targets->extent(), variant.specialization);
         uploaded += drawWhole(frame, path, rule, capture, started);
     } catch (...) {
         // Nobody knows what arrived: the next frame sends everything again.

@@ -82,8 +82,7 @@ void Renderer::Parts::updateFrameRecord(const Frame& frame, SurfacePath& path, S
     record.flags = (frame.overlays.knotLines ? FRAME_KNOT_LINES : 0U) | (capture ? FRAME_CAPTURE : 0U) |
                    (frame.camera.orthographic ? FRAME_ORTHOGRAPHIC : 0U) |
                    (frame.shading == Shading::error ? FRAME_MEASURE_ERROR : 0U) |
-                   (scene.isTrimmed() ? FRAME_TRIMMED : 0U) | (hasTrimEdges(frame) ? 0U : FRAME_SHARP_EDGES) |
-                   verdictFlag_;
+                   (scene.isTrimmed() ? FRAME_TRIMMED : 0U) | verdictFlag_;
     record.handPx = static_cast<float>(frame.pixelRatio);
     record.isoCurves = static_cast<std::uint32_t>(std::max(frame.overlays.isoCurves, 0));
     record.captureCapacity = counters.captureCapacity();

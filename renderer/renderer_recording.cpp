@@ -47,10 +47,11 @@ void Renderer::Parts::record(VkCommandBuffer commands, const Frame& frame, const
     bindings.bind(commands, VK_PIPELINE_BIND_POINT_GRAPHICS);
     meshes.draw(commands, frame.camera, frame.overlays.highlighted);
     if (hasTrimEdges(frame)) {
-        targets->pause(commands, {trimEdges.pixels(), trimEdges.depthsFrom(), trimEdges.pixels()});
-        trimEdges.find(commands);
+        targets->pause(commands, {trimEdges.pixels(), trimEdges.depthsFrom(), trimEdges.pixels(),
+                                  trimEdges.shownFrom()});
+        trimEdges.record(commands);
+        targets->put(commands, trimEdges.pixels());
         targets->resume(commands);
-        trimEdges.draw(commands);
     }
     if (anything && frame.cullingCamera)
         rejectedOutlines.draw(commands, scene.ksquadCount());

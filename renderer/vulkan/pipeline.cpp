@@ -83,14 +83,14 @@ struct FixedState {
         depth.depthCompareOp = VK_COMPARE_OP_GREATER;
         blends[0].colorWriteMask =
             VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT;
-        if (!info.overlay || info.opaque)
+        if (!info.overlay)
             blends[0].colorWriteMask |= VK_COLOR_COMPONENT_A_BIT;
         if (info.overlay) {
-            blends[0].blendEnable = info.opaque ? VK_FALSE : VK_TRUE;
+            blends[0].blendEnable = VK_TRUE;
             blends[0].srcColorBlendFactor = VK_BLEND_FACTOR_SRC_ALPHA;
             blends[0].dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
         } else {
-            blends[1].colorWriteMask = VK_COLOR_COMPONENT_R_BIT;
+            blends[1].colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT;
         }
         blend.attachmentCount = static_cast<std::uint32_t>(blends.size());
         blend.pAttachments = blends.data();

@@ -35,9 +35,10 @@ private:
     Buffer placeholder_;  // stands where nothing is bound yet
 };
 
-// What the renderer draws into: colour, the surface's index + 1, depth reversed (1 near, 0 far).
+// What the renderer draws into: colour, the KSQuad's index + 1 and where in it (pixel_place.glsl), depth reversed (1 near, 0
+// far).
 constexpr VkFormat kColourFormat = VK_FORMAT_R8G8B8A8_UNORM;
-constexpr VkFormat kIndexFormat = VK_FORMAT_R32_UINT;
+constexpr VkFormat kIndexFormat = VK_FORMAT_R32G32_UINT;
 constexpr VkFormat kDepthFormat = VK_FORMAT_D32_SFLOAT;
 
 // What stages are specialized for.
@@ -56,7 +57,6 @@ struct GraphicsPipelineInfo {
     std::initializer_list<const char*> stages;  // file names: "surface.frag"
     VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
     bool overlay = false;  // blended, writes neither depth nor the surface's index
-    bool opaque = false;   // overlays: takes the place of what is there, opacity included
     bool lines = false;    // for overlays
     Specialization specialization;
 };

@@ -18,8 +18,7 @@ layout(set = 0, binding = BINDING_FACING_RAYS, scalar) readonly buffer RayBuffer
 layout(set = 0, binding = BINDING_FACING, scalar) readonly buffer FacingBuffer { FacingRecord facing[]; };
 #include "sqc.glsl"
 
-layout(set = 0, binding = BINDING_TRIM_WORDS, scalar) readonly buffer TrimBuffer { uint trimWords[]; };
-#include "../shared/trimming.glsl"
+#include "../shared/trimming_words.glsl"
 // From TRIM_RECORDS on it is another one for each point.
 uint trimVerdict(uint ksquad) { return (frame.flags & FRAME_TRIMMED) == 0u ? TRIM_WHOLE : trimWords[ksquad]; }
 #include "trimmed.glsl"

@@ -49,7 +49,7 @@
 #define BINDING_SPACE_LINES 44       // straight lines in the model
 #define BINDING_DEVIATIONS 45        // for each KSQuad, a grid of its distances from a reference
 #define BINDING_TRIM_WORDS 46        // what trim loops leave of each KSQuad (trimming.glsl)
-#define BINDING_DRAWN 47             // colour and depth of each pixel, as drawn so far
+#define BINDING_DRAWN 47             // of each pixel what was drawn so far (drawn_pixels.glsl)
 #define BINDING_COUNT 48
 
 // Specialization constants.

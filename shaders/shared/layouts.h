@@ -20,7 +20,6 @@ namespace knotspan::gpu {
 #define FRAME_NOTE_VERDICTS 512u      // culling notes what it says of each KSQuad (verdicts.glsl)
 #define FRAME_KEEP_VERDICTS 1024u     // and reads what it noted
 #define FRAME_TRIMMED 2048u           // some surface is, and there are words of trimming
-#define FRAME_SHARP_EDGES 4096u       // a pixel is inside of trim loops or not; else borders are smooth
 #define FRAME_MEASURE_ERROR 8u  // the fragment stage measures each pixel's distance from the surface
 
 // How much of a measured error may be the rasterizer's: it rounds vertices to 1/256 pixel.

@@ -109,7 +109,7 @@ PixelError errorHere(uint surface)
     vec3 places[2] = vec3[2](gl_FragCoord.w * vec3(inT, 1.0), gl_FragCoord.w * vec3(inWeightedT, inInverseWeight));
     mat2x3 changes[2] = mat2x3[2](mat2x3(dFdx(places[0]), dFdy(places[0])), mat2x3(dFdx(places[1]), dFdy(places[1])));
     bool noisy = !(interpolationNoise() < kLost);
-    discardTrimmed(aimedChanges());
+    discardTrimmed();
     float least = kFarthest;
     vec2 found = vec2(0.0);
     for (int way = 0; way < 2 && least > frame.tolerancePx; ++way) {
@@ -188,5 +188,5 @@ void main()
     if ((frame.flags & FRAME_KNOT_LINES) != 0u)
         colour = mix(colour, vec3(0.06), 0.8 * knotLine(pixelPlace(inT).t, perPixel));
     outColour = vec4(colour, 1.0);
-    outPicked = pixelPlace(inT).ksquad + 1u;
+    outPicked = pickedOf(pixelPlace(inT));
 }

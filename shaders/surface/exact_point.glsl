@@ -107,7 +107,7 @@ ExactPoint exactPoint(uint surface, vec2 t)
         tried.normal = directionOf(n) * surfaceViews[surface].facing;
         float shortest = min(largest(by.u), largest(by.v));
         bool tells = shortest > kLeastTangent * largest(turn * at.position) && dot(n, n) > kLeastSine * kLeastSine;
-        Aim aim = aimOf(tried.position, by.u, by.v);
+        Aim aim = aimOf(gl_FragCoord.xy, tried.position, by.u, by.v);
         float missed = length(aim.missed);
         // A step may have gone too far: beyond a pole the surface goes on turned over.
         if (round > 0 && inwards == 0.0 && !(tells && missed < least && dot(best.normal, tried.normal) > 0.0))

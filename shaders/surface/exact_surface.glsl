@@ -48,7 +48,7 @@ vec3 lookOf(uint surface, ExactPoint at)
 void main()
 {
     vec2 perPixel = fwidth(inT);
-    float opacity = discardTrimmed(aimedChanges());
+    discardTrimmed();
     uint surface = ksquads[inKsquad].surface;
     ExactPoint at = exactPoint(surface, inT);
     vec3 colour = lookOf(surface, at);
@@ -57,6 +57,6 @@ void main()
         colour = mix(colour, vec3(0.08), 0.4 * isoCurve(place.t, perPixel));
     if ((frame.flags & FRAME_KNOT_LINES) != 0u)
         colour = mix(colour, vec3(0.08), 0.8 * knotLine(place.t, perPixel));
-    outColour = vec4(colour, opacity);
-    outPicked = place.ksquad + 1u;
+    outColour = vec4(colour, 1.0);
+    outPicked = pickedOf(place);
 }

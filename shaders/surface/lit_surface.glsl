@@ -21,7 +21,7 @@ vec3 ksquadColour(uint index)
 void main()
 {
     vec2 perPixel = fwidth(inT);
-    float opacity = discardTrimmed(aimedChanges());
+    discardTrimmed();
     PixelPlace place = pixelPlace(inT);
     uint surface = ksquads[inKsquad].surface;
     bool orthographic = (frame.flags & FRAME_ORTHOGRAPHIC) != 0u;
@@ -37,6 +37,6 @@ void main()
         colour = mix(colour, vec3(0.015), 0.4 * isoCurve(place.t, perPixel));
     if ((frame.flags & FRAME_KNOT_LINES) != 0u)
         colour = mix(colour, vec3(0.015), 0.8 * knotLine(place.t, perPixel));
-    outColour = vec4(encodedSrgb(colour), opacity);
-    outPicked = place.ksquad + 1u;
+    outColour = vec4(encodedSrgb(colour), 1.0);
+    outPicked = pickedOf(place);
 }

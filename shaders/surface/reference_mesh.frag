@@ -9,7 +9,7 @@
 layout(push_constant, scalar) uniform Constants { MeshConstants mesh; };
 layout(location = 0) in vec3 inPosition;
 layout(location = 0) out vec4 outColour;
-layout(location = 1) out uint outPicked;  // no KSQuad
+layout(location = 1) out uvec2 outPicked;  // no KSQuad
 
 void main()
 {
@@ -20,5 +20,5 @@ void main()
     vec3 colour = lit(gl_FrontFacing ? mesh.colour : mesh.colour * kInside, facing, towardsEye);
     colour = mix(colour, vec3(1.0, 0.45, 0.08), 0.22 * mesh.highlight);
     outColour = vec4(encodedSrgb(colour), 1.0);
-    outPicked = 0u;
+    outPicked = uvec2(0u);
 }

@@ -2,14 +2,11 @@
 
 // What the fragment stages write, and what their colours have in common.
 layout(location = 0) out vec4 outColour;   // sRGB, encoded here
-layout(location = 1) out uint outPicked;  // the index + 1 of the KSQuad, for picking
+layout(location = 1) out uvec2 outPicked;  // pickedOf()
 
-// Where a place on a triangle is: inside which KSQuad. A triangle of a whole surface lies on several.
-struct PixelPlace {
-    uint ksquad;
-    vec2 t;
-};
+#include "pixel_place.glsl"
 
+// Where a place on a triangle is: a triangle of a whole surface lies on several KSQuads.
 PixelPlace pixelPlace(vec2 t)
 {
     if ((frame.flags & FRAME_SPANS) == 0u)

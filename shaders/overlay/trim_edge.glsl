@@ -1,8 +1,11 @@
-// How far from a pixel's centre the border runs of what trim loops leave, along the picture's axes.
+// How far from a pixel's centre the border runs of what trim loops leave, along the picture's axes: for pixels that show a
+// trimmed surface. Those that are hidden cost nothing.
 #ifndef KNOTSPAN_TRIM_EDGE_GLSL
 #define KNOTSPAN_TRIM_EDGE_GLSL
 
 #include "../shared/trim_edge_code.glsl"
+#include "../shared/trimming_words.glsl"
+#include "../surface/pixel_aim.glsl"
 
 // Pixels along kTrimSides; where it is above TRIM_EDGE_REACH nobody asks.
 #define FAR_FROM_EDGES vec4(2.0)
@@ -137,16 +140,24 @@ float distanceBeyond(uint surface, PixelPlace place, vec2 way)
     return 0.5 * (low + high);
 }
 
-// The colour's opacity, of a place that is inside; `along`: how t changes from pixel to pixel.
-float opacityAt(uint surface, PixelPlace place, mat2 along, vec4 distances)
+// The pixel that shows a place, to about what its triangle is off.
+uint trimEdgeCodeAt(PixelPlace shown, vec2 centre)
 {
     const float kAsGood = 0.05;  // pixels
+    uint surface = ksquads[shown.ksquad].surface;
+    mat2 along = mat2(0.0);  // how t changes from pixel to pixel
+    PixelPlace place = aimedPlace(surface, shown, centre, along);
+    uint word = trimWords[place.ksquad];
+    PlaceInLoops found = PlaceInLoops(word != TRIM_OUTSIDE, FAR_FROM_EDGES);
+    if (word >= TRIM_RECORDS)
+        found = placeInLoops(word, clamp(place.t, 0.0, 1.0), inverse(along),
+                             TRIM_EDGE_REACH * (abs(along[0]) + abs(along[1])));
     float nearest = 2.0;
     int side = 0;
     for (int k = 0; k < 4; ++k) {
         vec2 way = (k & 1) != 0 ? -along[k >> 1] : along[k >> 1];
         vec2 end = place.t + way;
-        float distance = distances[k];
+        float distance = found.distances[k];
         if (distance > TRIM_EDGE_REACH && any(notEqual(end, clamp(end, 0.0, 1.0))))
             distance = distanceBeyond(surface, place, way);
         // Where both axes are as good, all pixels along the border take the same.
@@ -155,14 +166,16 @@ float opacityAt(uint surface, PixelPlace place, mat2 along, vec4 distances)
             side = k;
         }
     }
-    if (nearest < kAsGood) {
+    if (nearest > TRIM_EDGE_REACH || determinant(along) == 0.0)
+        return TRIM_EDGE_FAR;
+    if (nearest < kAsGood || !found.inside) {
         // The centre is as good as on the border, so that rounding chose between the two ways.
         vec2 way = (side & 1) != 0 ? -along[side >> 1] : along[side >> 1];
         PixelPlace end = stepped(surface, place, way);
         if (all(equal(end.t, clamp(end.t, 0.0, 1.0))) && trimContains(end.ksquad, end.t))
             side ^= 1;
     }
-    return nearest > TRIM_EDGE_REACH ? 1.0 : trimEdgeCode(side, nearest);
+    return trimEdgeCode(side, found.inside ? nearest : 0.0);
 }
 
 #endif

@@ -1,12 +1,13 @@
 // Smooths where trimmed surfaces end: of a pixel that the border runs through, what the surface covers, and of the rest the
-// pixel beyond. Which pixels those are stages of surfaces said in the opacity (surface/trim_edge.glsl).
+// pixel beyond. Which pixels those are the opacity says (trim_edge_codes.comp). The results become the pixels' colours once
+// all are there (trim_edge_put.comp).
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
 #include "drawn_pixels.glsl"
 #include "../shared/trim_edge_code.glsl"
 
-layout(location = 0) out vec4 outColour;
+layout(local_size_x = TRIM_LIST_THREADS) in;
 
 vec3 rgbAt(ivec2 pixel) { return unpackUnorm4x8(colourAt(pixel)).rgb; }
 
@@ -23,7 +24,7 @@ bool isBehind(ivec2 pixel, ivec2 side)
 // How many of the two say that they end near there.
 int endings(ivec2 pixel, ivec2 side)
 {
-    return int(colourAt(pixel - side) >> 24 != 255u) + int(colourAt(pixel + side) >> 24 != 255u);
+    return int(colourAt(pixel - side) >> 24 != TRIM_EDGE_FAR) + int(colourAt(pixel + side) >> 24 != TRIM_EDGE_FAR);
 }
 
 // A trimmed surface ends exactly at its loop. Its neighbour's triangles end up to the tolerance before theirs, which goes
@@ -33,9 +34,8 @@ bool isBetween(ivec2 pixel, ivec2 side) { return isBehind(pixel, side) && ending
 // What a surface that ends before `pixel` ends beside.
 vec3 besideAt(ivec2 pixel, ivec2 side) { return rgbAt(isBetween(pixel, side) ? pixel + side : pixel); }
 
-void main()
+vec3 blended(ivec2 here)
 {
-    ivec2 here = ivec2(gl_FragCoord.xy);
     uint own = colourAt(here);
     TrimEdge edge = trimEdgeOf(own >> 24);
     vec3 colour = unpackUnorm4x8(own).rgb;
@@ -43,8 +43,7 @@ void main()
         ivec2 beyond = here + edge.side;
         if (isInPicture(beyond))
             colour = mix(besideAt(beyond, edge.side), colour, 0.5 + edge.distance);
-        outColour = vec4(colour, 1.0);
-        return;
+        return colour;
     }
     // What shows between two that meet: from each of four sides to the other one.
     const ivec2 kAcross[4] = ivec2[4](ivec2(1, 0), ivec2(0, 1), ivec2(1, 1), ivec2(1, -1));
@@ -60,24 +59,36 @@ void main()
         isBesideEdge = isBesideEdge || ends == 1;
     }
     if (between > 1 || (between == 1 && isBesideEdge)) {
-        outColour = vec4(around / float(between), 1.0);
-        return;
+        return around / float(between);
     }
-    // A neighbour in front of it may reach into it.
+    // Neighbours in front of it may reach into it: of one axis both.
     float most = 0.0;
     vec3 other = vec3(0.0);
-    for (int k = 0; k < 4; ++k) {
-        ivec2 from = here - kTrimSides[k];
-        if (!isInPicture(from))
-            continue;
-        TrimEdge reaching = trimEdgeOf(colourAt(from) >> 24);
-        if (reaching.isNear && reaching.side == kTrimSides[k] && reaching.distance - 0.5 > most &&
-            depthAt(from) >= depthAt(here)) {
-            most = reaching.distance - 0.5;
-            other = rgbAt(from);
+    for (int axis = 0; axis < 2; ++axis) {
+        float covered = 0.0;
+        vec3 sum = vec3(0.0);
+        for (int k = 2 * axis; k < 2 * axis + 2; ++k) {
+            ivec2 from = here - kTrimSides[k];
+            if (!isInPicture(from) || depthAt(from) < depthAt(here))
+                continue;
+            TrimEdge reaching = trimEdgeOf(colourAt(from) >> 24);
+            float by = reaching.isNear && reaching.side == kTrimSides[k] ? max(reaching.distance - 0.5, 0.0) : 0.0;
+            covered += by;
+            sum += by * rgbAt(from);
+        }
+        if (covered > most) {
+            most = covered;
+            other = sum / covered;
         }
     }
-    if (most == 0.0 && !edge.isNear)
-        discard;
-    outColour = vec4(mix(colour, other, most), 1.0);
+    return mix(colour, other, min(most, 1.0));
+}
+
+void main()
+{
+    uint count = listedCount();
+    for (uint k = gl_GlobalInvocationID.x; k < count; k += gl_NumWorkGroups.x * uint(TRIM_LIST_THREADS)) {
+        ivec2 pixel = listedPixel(k);
+        setResult(pixel, packUnorm4x8(vec4(blended(pixel), 1.0)));
+    }
 }
