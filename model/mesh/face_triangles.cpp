@@ -20,9 +20,9 @@ public:
         : task_(task),
           face_(task.face),
           errors_(task.errors),
-          plane_(planeOf(task)),
-          outlineCount_(static_cast<std::uint32_t>(task.samples.positions().size()))
+          plane_(planeOf(task))
     {
+        result_.outlineCount = static_cast<std::uint32_t>(task.samples.positions().size());
         vertexOf_.assign(PlaneTriangulation::kCorners, kNone);
         places_.resize(PlaneTriangulation::kCorners);
     }
@@ -299,7 +299,7 @@ private:
                 inside[number] = static_cast<std::uint32_t>(result_.inside.size());
                 result_.inside.push_back(places_[number]);
             }
-            return outlineCount_ + inside[number];
+            return result_.outlineCount + inside[number];
         };
         const auto countV = static_cast<std::uint32_t>(face_.surface().knotsV().spans().size());
         for (const auto& triangle : plain_.triangles()) {
@@ -327,7 +327,6 @@ private:
     const OutlinedFace& face_;
     const FaceErrors& errors_;
     FacePlane plane_;
-    std::uint32_t outlineCount_;
     PlaneTriangulation plain_;
     std::vector<std::uint32_t> vertexOf_;  // of the outline, by number in the plane
     std::vector<OutlinePlace> places_;

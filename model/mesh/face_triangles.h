@@ -15,12 +15,13 @@ struct SeamSegment {
 
 struct FaceTriangles {
     struct Corners {
-        Triangle vertices{};  // below `outline` those of the samples, beyond them those of `inside`
+        Triangle vertices{};  // below `outlineCount` those of the samples, beyond them those of `inside`
         TriangleParameters t{};
         std::uint32_t ksquad = 0;  // a countV + b
     };
     std::vector<Corners> triangles;  // by KSQuad, increasing
     std::vector<OutlinePlace> inside;
+    std::uint32_t outlineCount = 0;  // of the samples as they were when this was made
     double bound = 0;                  // but for the outline's gaps
     std::vector<SeamSegment> tooLong;  // what has to be finer first: then there is not more than this
     std::vector<std::array<std::uint32_t, 2>> same;  // samples' vertices that are one place here

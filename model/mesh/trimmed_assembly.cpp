@@ -62,7 +62,6 @@ private:
     void addFace(std::uint32_t number)
     {
         const FaceTriangles& face = parts_.triangles[number];
-        const auto outline = static_cast<std::uint32_t>(into_.size());
         const auto first = static_cast<std::uint32_t>(result_.mesh.vertices.size());
         firstTriangles_.push_back(result_.mesh.triangles.size());
         placeInside(number);
@@ -71,8 +70,9 @@ private:
         for (const FaceTriangles::Corners& corners : face.triangles) {
             Triangle triangle;
             for (size_t k = 0; k < 3; ++k)
-                triangle[k] = corners.vertices[k] < outline ? find(corners.vertices[k])
-                                                            : first + (corners.vertices[k] - outline);
+                triangle[k] = corners.vertices[k] < face.outlineCount
+                                  ? find(corners.vertices[k])
+                                  : first + (corners.vertices[k] - face.outlineCount);
             if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0])
                 continue;
             if (ksquad != corners.ksquad) {
