@@ -103,11 +103,12 @@ Vec2 speedsOf(const BezierNet& net)
 
 }  // namespace
 
-CellCounts cellCounts(const std::vector<PlacedSurface>& surfaces, double deviation,
+CellCounts cellCounts(const std::vector<PlacedSurface>& surfaces, const std::vector<double>& deviations,
                       std::optional<double> angleDegrees, KsQuadShapes* shapes)
 {
     CellCounts counts;
-    for (const PlacedSurface& placed : surfaces) {
+    for (size_t k = 0; k < surfaces.size(); ++k) {
+        const PlacedSurface& placed = surfaces[k];
         const NurbsSurface& surface = *placed.surface;
         const BezierConversion conversion(surface, surface.bounds().centre());
         Mat4 linear = placed.transform;
@@ -123,7 +124,7 @@ CellCounts cellCounts(const std::vector<PlacedSurface>& surfaces, double deviati
             if (moved)
                 net = transformed(net, linear);
             SpaceError error(net);
-            const auto chosen = chooseSpaceGrid(error, deviation);
+            const auto chosen = chooseSpaceGrid(error, deviations[k]);
             if (!chosen)
                 counts.failed.push_back(static_cast<std::uint32_t>(counts.grids.size()));
             Grid grid = chosen ? chosen->grid : Grid{};

@@ -22,9 +22,10 @@ struct KsQuadShapes {
     std::vector<Vec2> speeds;  // no point moves faster in space, by each parameter of the KSQuad
 };
 
-// Within `deviation` > 0 of the surface; with an angle normals turn no more than about so far across a cell,
-// which is sampled, not proved.
-[[nodiscard]] CellCounts cellCounts(const std::vector<PlacedSurface>& surfaces, double deviation,
-                                    std::optional<double> angleDegrees, KsQuadShapes* shapes = nullptr);
+// Within `deviations` > 0 of each surface; with an angle normals turn no more than about so far across a
+// cell, which is sampled, not proved.
+[[nodiscard]] CellCounts cellCounts(const std::vector<PlacedSurface>& surfaces,
+                                    const std::vector<double>& deviations, std::optional<double> angleDegrees,
+                                    KsQuadShapes* shapes = nullptr);
 
 }  // namespace knotspan

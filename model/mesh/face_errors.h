@@ -38,10 +38,16 @@ public:
     {
         return std::max(size.x * grid(a, b).u, size.y * grid(a, b).v);
     }
-    // A part of an arc inside one KSQuad: how far points of its sliver are from points of the chord, ...
+    // How far a place is beyond a KSQuad, in space, at most.
+    [[nodiscard]] double spill(int a, int b, const OutlinePlace& place) const;
+    // Of a part of an arc: how far its chord is from the surface, how far points of its sliver are from
+    // points of the chord, ...
+    [[nodiscard]] double chord(const OutlineArc& arc, double from, double to) const;
     [[nodiscard]] double sliver(const OutlineArc& arc, double from, double to) const;
-    // ... and whether its chord may stand for it.
+    // ... and, of one inside a KSQuad, whether its chord may stand for it.
     [[nodiscard]] bool isFine(const OutlineArc& arc, double from, double to) const;
+
+    [[nodiscard]] bool isNothing(double sliver) const { return sliver <= 1e-9 * deviation_; }
 
 private:
     [[nodiscard]] size_t number(int a, int b) const

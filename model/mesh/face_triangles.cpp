@@ -6,7 +6,7 @@
 
 #include <glm/common.hpp>
 
-#include "model/mesh/face_plane.h"
+#include "model/mesh/triangle_in_ksquad.h"
 
 namespace knotspan {
 
@@ -31,6 +31,7 @@ public:
     {
         addOutline();
         connectOutline();
+        findHairs();
         result_.crosses = missing_;
         if (missing_ && !anyway)
             return std::move(result_);
@@ -103,6 +104,13 @@ private:
             for (std::uint32_t k = 0; k + 1 < along_[s].size(); ++k) {
                 const std::uint32_t from = along_[s][k];
                 const std::uint32_t to = along_[s][k + 1];
+                const auto [low, high] =
+                    std::minmax(samples[k].t[stretch.member], samples[k + 1].t[stretch.member]);
+                const double sliver = low < high ? errors_.sliver(face_.arcs()[stretch.arc], low, high) : 0.0;
+                // Whether or not a triangle has it: what is narrower than the weld has none.
+                if (low < high)
+                    result_.bound =
+                        std::max(result_.bound, errors_.chord(face_.arcs()[stretch.arc], low, high) + sliver);
                 if (from == to)
                     continue;
                 const SeamSegment segment{stretch.seam, k};
@@ -114,15 +122,23 @@ private:
                         result_.tooLong.push_back(other->second.segment);
                     continue;
                 }
-                const auto [low, high] =
-                    std::minmax(samples[k].t[stretch.member], samples[k + 1].t[stretch.member]);
                 Edge& edge = edges_[key(from, to)];
                 edge.segment = segment;
                 ++edge.count;
-                if (low < high)
-                    edge.sliver = std::max(edge.sliver, errors_.sliver(face_.arcs()[stretch.arc], low, high));
+                edge.sliver = std::max(edge.sliver, sliver);
             }
         }
+    }
+
+    void findHairs()
+    {
+        for (const auto& [ends, edge] : edges_) {
+            const std::uint32_t a = vertexOf_[ends >> 32U];
+            const std::uint32_t b = vertexOf_[ends & 0xffffffffU];
+            if (edge.count % 2 == 0 && errors_.isNothing(edge.sliver))
+                result_.hairs.push_back({std::min(a, b), std::max(a, b)});
+        }
+        std::sort(result_.hairs.begin(), result_.hairs.end());
     }
 
     void markByRegion()
@@ -208,32 +224,10 @@ private:
                 static_cast<void>(plain_.connect(numbers[k], numbers[k + 1]));
     }
 
-    struct InQuad {
-        int a = 0;
-        int b = 0;
-        TriangleParameters t{};
-        bool whole = true;  // lies in that KSQuad
-    };
-    [[nodiscard]] InQuad inQuad(const PlaneTriangulation::Corners& triangle) const
+    [[nodiscard]] TriangleInKsquad inQuad(const PlaneTriangulation::Corners& triangle) const
     {
-        Vec2 middle(0.0);
-        for (const std::uint32_t vertex : triangle.vertices)
-            middle += places_[vertex].onLattice() / 3.0;
-        InQuad result;
-        result.a = std::clamp(static_cast<int>(middle.x), plane_.first(0), plane_.last(0));
-        result.b = std::clamp(static_cast<int>(middle.y), plane_.first(1), plane_.last(1));
-        for (size_t k = 0; k < 3; ++k) {
-            const OutlinePlace& place = places_[triangle.vertices[k]];
-            const Vec2 t = Vec2(place.a - result.a, place.b - result.b) + place.t;
-            result.t[k] = glm::clamp(t, Vec2(0.0), Vec2(1.0));
-            const Vec2 off = glm::abs(t - result.t[k]);
-            result.whole = result.whole && std::max(off.x, off.y) < 1e-6;
-        }
-        return result;
-    }
-    static Vec2 sizeOf(const TriangleParameters& t)
-    {
-        return glm::max(glm::max(t[0], t[1]), t[2]) - glm::min(glm::min(t[0], t[1]), t[2]);
+        const auto& [a, b, c] = triangle.vertices;
+        return inKsquad({places_[a], places_[b], places_[c]}, plane_, errors_);
     }
 
     // Halves what is too long in triangles that are too large, until there is none.
@@ -249,8 +243,8 @@ private:
             const PlaneTriangulation::Corners triangle = plain_.triangles()[number];
             if (!triangle.inside)
                 continue;
-            const InQuad in = inQuad(triangle);
-            if (errors_.isFine(in.a, in.b, sizeOf(in.t)))
+            const TriangleInKsquad in = inQuad(triangle);
+            if (errors_.isFine(in.a, in.b, in.size()))
                 continue;
             double longest = kShortest;
             double longestOutline = kShortest;
@@ -305,7 +299,7 @@ private:
         for (const auto& triangle : plain_.triangles()) {
             if (!triangle.inside)
                 continue;
-            const InQuad in = inQuad(triangle);
+            const TriangleInKsquad in = inQuad(triangle);
             FaceTriangles::Corners corners;
             for (size_t k = 0; k < 3; ++k)
                 corners.vertices[k] = vertex(triangle.vertices[k]);
@@ -316,7 +310,8 @@ private:
                 if (const auto edge = edges_.find(key(triangle.vertices[k], triangle.vertices[(k + 1) % 3]));
                     edge != edges_.end())
                     sliver = std::max(sliver, edge->second.sliver);
-            result_.bound = std::max(result_.bound, errors_.bound(in.a, in.b, sizeOf(in.t)) + sliver);
+            result_.bound =
+                std::max(result_.bound, errors_.bound(in.a, in.b, in.size()) + 2 * in.spills + sliver);
             result_.triangles.push_back(corners);
         }
         std::stable_sort(result_.triangles.begin(), result_.triangles.end(),

@@ -21,11 +21,14 @@ struct FaceTriangles {
     };
     std::vector<Corners> triangles;  // by KSQuad, increasing
     std::vector<OutlinePlace> inside;
-    std::uint32_t outlineCount = 0;  // of the samples as they were when this was made
+    std::uint32_t outlineCount = 0;    // of the samples as they were when this was made
     double bound = 0;                  // but for the outline's gaps
     std::vector<SeamSegment> tooLong;  // what has to be finer first: then there is not more than this
     std::vector<std::array<std::uint32_t, 2>> same;  // samples' vertices that are one place here
-    bool crosses = false;                            // the outline still crosses itself
+    // Straight edges of the outline that run there and back, so that nothing is beside them: sorted, the
+    // smaller vertex first.
+    std::vector<std::array<std::uint32_t, 2>> hairs;
+    bool crosses = false;  // the outline still crosses itself
 };
 
 // A stretch of the face's outline, as a seam has it.

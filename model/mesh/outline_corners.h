@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include <glm/geometric.hpp>
+
 #include "model/core/space.h"
 
 namespace knotspan {
@@ -16,6 +18,7 @@ public:
         const auto number = static_cast<std::uint32_t>(into_.size());
         into_.push_back(number);
         places_.push_back(at);
+        reaches_.push_back(0);
         faces_.push_back({face});
         return number;
     }
@@ -34,9 +37,20 @@ public:
         if (b < a)
             std::swap(a, b);
         into_[b] = a;
+        reaches_[a] = reachOfBoth(a, b);
         for (const std::uint32_t face : faces_[b])
             addFace(a, face);
         faces_[b].clear();
+    }
+    // How far from its place anything would be that became the corner of both.
+    [[nodiscard]] double reachOfBoth(std::uint32_t a, std::uint32_t b) const
+    {
+        a = find(a);
+        b = find(b);
+        if (b < a)
+            std::swap(a, b);
+        return a == b ? reaches_[a]
+                      : std::max(reaches_[a], glm::distance(places_[a], places_[b]) + reaches_[b]);
     }
     void addFace(std::uint32_t corner, std::uint32_t face)
     {
@@ -59,6 +73,7 @@ public:
 private:
     mutable std::vector<std::uint32_t> into_;
     std::vector<Vec3> places_;
+    std::vector<double> reaches_;
     std::vector<std::vector<std::uint32_t>> faces_;
 };
 

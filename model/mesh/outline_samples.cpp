@@ -22,10 +22,11 @@ bool crossesAKnotLine(const OutlineArc& arc, size_t after)
 
 }  // namespace
 
-OutlineSamples::OutlineSamples(const std::vector<OutlinedFace>& faces, const OutlineWeld& weld,
+OutlineSamples::OutlineSamples(const std::vector<OutlinedFace>& faces, const OutlineWeld& weld, double same,
                                const std::vector<FaceErrors>& errors)
     : faces_(faces),
       weld_(weld),
+      same_(same),
       errors_(errors),
       samples_(weld.seams.size()),
       positions_(weld.corners),
@@ -100,7 +101,37 @@ std::vector<OutlineSamples::Sample> OutlineSamples::forcedOn(std::uint32_t seam)
     }
     merged.insert(merged.begin(), std::move(start));
     merged.push_back(std::move(end));
+    if (!of.isPoint)
+        dropNextToEnds(seam, merged);
     return merged;
+}
+
+// Curves overshoot a knot line by rounding where they end on it, or nearly end at it. Vertices so near to
+// each other would be in the way of the edges beside them.
+void OutlineSamples::dropNextToEnds(std::uint32_t seam, std::vector<Sample>& samples) const
+{
+    constexpr double kOfKsquad = 1e-6;
+    const auto isNear = [&](const Sample& sample, const Sample& end) {
+        const OutlineStretch& first = stretch(seam, 0);
+        if (glm::distance(faces_[first.face].pointOn(first.arc, sample.t[0]),
+                          faces_[first.face].pointOn(first.arc, end.t[0])) > same_)
+            return false;
+        for (size_t m = 0; m < sample.t.size(); ++m) {
+            if (sample.t[m] == kUnknown)
+                continue;
+            const OutlineStretch& of = stretch(seam, m);
+            const Vec2 away = faces_[of.face].arcs()[of.arc].sizeBetween(sample.t[m], end.t[m]);
+            if (std::max(away.x, away.y) > kOfKsquad)
+                return false;
+        }
+        return true;
+    };
+    const Sample front = samples.front();
+    const Sample back = samples.back();
+    samples.erase(
+        std::remove_if(samples.begin() + 1, samples.end() - 1,
+                       [&](const Sample& sample) { return isNear(sample, front) || isNear(sample, back); }),
+        samples.end() - 1);
 }
 
 // Places that only some members know are found on the others, between those they know.
@@ -141,7 +172,10 @@ void OutlineSamples::place(std::uint32_t seam, Sample& sample)
         sample.vertex = stretch(seam, 0).start;
     } else if (sample.vertex == kUnknownVertex) {
         sample.vertex = static_cast<std::uint32_t>(positions_.size());
-        positions_.push_back(face(seam, 0).pointOn(stretch(seam, 0).arc, sample.t[0]));
+        Box all;
+        for (size_t m = 0; m < sample.t.size(); ++m)
+            all.add(face(seam, m).pointOn(stretch(seam, m).arc, sample.t[m]));
+        positions_.push_back(all.centre());
     }
     for (size_t m = 0; m < sample.t.size(); ++m) {
         const OutlineStretch& of = stretch(seam, m);
@@ -168,17 +202,44 @@ bool OutlineSamples::split(std::uint32_t seam, size_t segment)
     std::vector<Sample>& samples = samples_[seam];
     const Sample& a = samples[segment];
     const Sample& b = samples[segment + 1];
-    const double t = (a.t[0] + b.t[0]) / 2;
     if (samples.size() >= kMostSamples ||
         b.t[0] - a.t[0] < 1e-9 * (samples.back().t[0] - samples.front().t[0]))
         return false;
-    Sample sample = between(seam, a, b, t);
+    const auto t = middleOf(seam, a.t[0], b.t[0]);
+    if (!t)
+        return false;
+    Sample sample = between(seam, a, b, *t);
     for (size_t m = 0; m < sample.t.size(); ++m)
         if (sample.t[m] == a.t[m] || sample.t[m] == b.t[m])
             return false;
     place(seam, sample);
     samples.insert(samples.begin() + static_cast<std::ptrdiff_t>(segment) + 1, std::move(sample));
     return true;
+}
+
+// In space: pieces of one curve may differ in length by any factor. Nothing where there is no room.
+std::optional<double> OutlineSamples::middleOf(std::uint32_t seam, double from, double to) const
+{
+    constexpr int kSteps = 40;
+    constexpr double kUneven = 8;
+    double t = (from + to) / 2;
+    if (weld_.seams[seam].isPoint)
+        return t;
+    const auto pointAt = [&](double at) { return face(seam, 0).pointOn(stretch(seam, 0).arc, at); };
+    const Vec3 start = pointAt(from);
+    const Vec3 end = pointAt(to);
+    for (int k = 0; k < kSteps; ++k, t = (from + to) / 2) {
+        const Vec3 point = pointAt(t);
+        const double before = glm::distance(start, point);
+        const double after = glm::distance(point, end);
+        if (before * kUneven < after)
+            from = t;
+        else if (after * kUneven < before)
+            to = t;
+        else
+            return std::min(before, after) > same_ ? std::optional(t) : std::nullopt;
+    }
+    return std::nullopt;
 }
 
 void OutlineSamples::sampleSeam(std::uint32_t seam, size_t fewest)

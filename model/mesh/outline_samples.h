@@ -2,6 +2,8 @@
 // the most.
 #pragma once
 
+#include <optional>
+
 #include "model/mesh/face_errors.h"
 #include "model/mesh/outline_weld.h"
 
@@ -14,8 +16,8 @@ public:
         std::vector<double> t;  // on the arc of each of the seam's stretches
     };
 
-    // All have to stay.
-    OutlineSamples(const std::vector<OutlinedFace>& faces, const OutlineWeld& weld,
+    // All have to stay. Vertices along an edge are no nearer to each other than `same`.
+    OutlineSamples(const std::vector<OutlinedFace>& faces, const OutlineWeld& weld, double same,
                    const std::vector<FaceErrors>& errors);
 
     // Of a seam, along its first stretch, ends included.
@@ -31,6 +33,8 @@ private:
 
     void sampleSeam(std::uint32_t seam, size_t fewest);
     [[nodiscard]] std::vector<Sample> forcedOn(std::uint32_t seam) const;
+    void dropNextToEnds(std::uint32_t seam, std::vector<Sample>& samples) const;
+    [[nodiscard]] std::optional<double> middleOf(std::uint32_t seam, double from, double to) const;
     [[nodiscard]] Sample between(std::uint32_t seam, const Sample& a, const Sample& b, double t) const;
     void complete(std::uint32_t seam, std::vector<Sample>& samples) const;
     void place(std::uint32_t seam, Sample& sample);
@@ -46,6 +50,7 @@ private:
 
     const std::vector<OutlinedFace>& faces_;
     const OutlineWeld& weld_;
+    double same_;
     const std::vector<FaceErrors>& errors_;
     std::vector<std::vector<Sample>> samples_;
     std::vector<Vec3> positions_;

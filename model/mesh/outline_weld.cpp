@@ -7,26 +7,22 @@
 
 #include "model/friends/box_tree.h"
 #include "model/mesh/outline_corners.h"
+#include "model/mesh/weld_reach.h"
 
 namespace knotspan {
 
 namespace {
 
-constexpr double kSame = 1e-7;  // of the model's size: up to here places are one
-
 class Welding {
 public:
-    Welding(const std::vector<OutlinedFace>& faces, double tolerance) : faces_(faces)
+    Welding(const std::vector<OutlinedFace>& faces, const WeldReach& reach)
+        : faces_(faces),
+          reach_(reach),
+          gaps_(faces.size(), 0.0)
     {
-        Box box;
-        for (const OutlinedFace& face : faces)
-            for (std::uint32_t arc = 0; arc < face.arcs().size(); ++arc)
-                for (const auto& sample : face.samples(arc))
-                    box.add(sample.point);
-        const double size = box.diagonal();
-        for (double step = kSame * size; step > 0 && step < tolerance; step *= 10)
+        for (double step = reach.same; step > 0 && step < reach.tiny; step *= 10)
             tolerances_.push_back(step);
-        tolerances_.push_back(std::max(tolerance, kSame * size));
+        tolerances_.push_back(reach.tiny);
     }
 
     OutlineWeld make()
@@ -41,6 +37,13 @@ public:
         --pass_;
         if (collapseShort())
             joinStretches();
+        while (tolerance() < reach_.edges) {
+            tolerances_.push_back(std::min(10 * tolerance(), reach_.edges));
+            ++pass_;
+            joinCorners();
+            splitStretches();
+            joinStretches();
+        }
         return taken();
     }
 
@@ -56,7 +59,7 @@ private:
                 const std::uint32_t start = corners_.add(samples.front().point, f);
                 const std::uint32_t end = corners_.add(samples.back().point, f);
                 addStretch({f, arc, 0, faces_[f].arcs()[arc].end(), start, end});
-                if (faces_[f].arcs()[arc].isBridge && extent(stretches_.back()) <= tolerances_.back())
+                if (faces_[f].arcs()[arc].isBridge && extent(stretches_.back()) <= reach_.tiny)
                     corners_.join(start, end);
             }
     }
@@ -115,11 +118,16 @@ private:
             return std::tie(x.distance, x.a, x.b) < std::tie(y.distance, y.a, y.b);
         });
         for (const Pair& pair : pairs)
-            if (corners_.find(pair.a) != corners_.find(pair.b) &&
-                (pass_ == 0 || !corners_.shareAFace(pair.a, pair.b))) {
+            if (corners_.find(pair.a) != corners_.find(pair.b) && mayJoin(pair.a, pair.b))
                 corners_.join(pair.a, pair.b);
-                gap_ = std::max(gap_, pair.distance);
-            }
+    }
+
+    // Beyond rounding no chain of corners becomes one that is longer than a few steps.
+    [[nodiscard]] bool mayJoin(std::uint32_t a, std::uint32_t b) const
+    {
+        constexpr double kChain = 2;
+        return pass_ == 0 ||
+               (!corners_.shareAFace(a, b) && corners_.reachOfBoth(a, b) <= kChain * tolerance());
     }
 
     // Where the end of another one lies within a stretch.
@@ -247,31 +255,17 @@ private:
         } else {
             return;
         }
-        gap_ = std::max(gap_, meeting.gap);
+        for (const std::uint32_t stretch : {meeting.a, meeting.b}) {
+            double& gap = gaps_[stretches_[stretch].face];
+            gap = std::max(gap, meeting.gap / 2);
+        }
     }
 
     [[nodiscard]] std::optional<Meeting> meetingOf(std::uint32_t a, std::uint32_t b) const
     {
         constexpr double kAlong = 3;  // curves that stand for an edge are further off between their ends
-        const OutlineStretch& one = stretches_[a];
-        const OutlineStretch& other = stretches_[b];
-        std::array<double, 3> places{};
-        double gap = 0;
-        for (size_t k = 0; k < 3; ++k) {
-            const double t = one.from + (one.to - one.from) * static_cast<double>(k + 1) / 4;
-            const auto found = faces_[other.face].nearest(other.arc, other.from, other.to,
-                                                          faces_[one.face].pointOn(one.arc, t));
-            gap = std::max(gap, found.distance);
-            if (gap > kAlong * tolerance())
-                return std::nullopt;
-            places[k] = found.t;
-        }
-        const auto back = faces_[one.face].nearest(
-            one.arc, one.from, one.to, faces_[other.face].pointOn(other.arc, (other.from + other.to) / 2));
-        gap = std::max(gap, back.distance);
-        if (gap > kAlong * tolerance())
-            return std::nullopt;
-        return Meeting{gap, a, b, places[2] < places[0]};
+        const auto way = runningTogether(faces_, stretches_[a], stretches_[b], kAlong * tolerance());
+        return way ? std::optional(Meeting{way->gap, a, b, way->reversed}) : std::nullopt;
     }
 
     // Edges that only one of two faces has, and that are as good as a point.
@@ -291,31 +285,45 @@ private:
     {
         OutlineWeld weld;
         std::vector<std::uint32_t> number(corners_.count(), kNone);
-        const auto numbered = [&](std::uint32_t corner) {
+        std::vector<Box> ends;
+        const auto numbered = [&](std::uint32_t corner, const Vec3& end) {
             corner = corners_.find(corner);
             if (number[corner] == kNone) {
-                number[corner] = static_cast<std::uint32_t>(weld.corners.size());
-                weld.corners.push_back(corners_.at(corner));
+                number[corner] = static_cast<std::uint32_t>(ends.size());
+                ends.emplace_back();
             }
+            ends[number[corner]].add(end);
             return number[corner];
+        };
+        const auto pointOn = [&](const OutlineStretch& stretch, double t) {
+            return faces_[stretch.face].pointOn(stretch.arc, t);
         };
         for (std::uint32_t k = 0; k < stretches_.size(); ++k) {
             if (isAlone(k))
                 addSeam({{k}, {0}, false});
-            stretches_[k].start = numbered(stretches_[k].start);
-            stretches_[k].end = numbered(stretches_[k].end);
+            OutlineStretch& stretch = stretches_[k];
+            stretch.start = numbered(stretch.start, pointOn(stretch, stretch.from));
+            stretch.end = numbered(stretch.end, pointOn(stretch, stretch.to));
         }
+        for (const Box& box : ends)
+            weld.corners.push_back(box.centre());
+        for (const OutlineStretch& stretch : stretches_) {
+            double& gap = gaps_[stretch.face];
+            gap = std::max({gap, glm::distance(weld.corners[stretch.start], pointOn(stretch, stretch.from)),
+                            glm::distance(weld.corners[stretch.end], pointOn(stretch, stretch.to))});
+        }
+        weld.gaps = std::move(gaps_);
         weld.stretches = std::move(stretches_);
         weld.seams = std::move(seams_);
-        weld.gap = gap_;
         return weld;
     }
 
     static constexpr std::uint32_t kNone = 0xffffffffU;
     const std::vector<OutlinedFace>& faces_;
+    WeldReach reach_;
+    std::vector<double> gaps_;  // by face
     std::vector<double> tolerances_;
     size_t pass_ = 0;
-    double gap_ = 0;
     OutlineCorners corners_;
     std::vector<OutlineStretch> stretches_;
     std::vector<std::uint32_t> seamOf_;  // by stretch
@@ -324,9 +332,9 @@ private:
 
 }  // namespace
 
-OutlineWeld weldOutlines(const std::vector<OutlinedFace>& faces, double tolerance)
+OutlineWeld weldOutlines(const std::vector<OutlinedFace>& faces, const WeldReach& reach)
 {
-    return Welding(faces, tolerance).make();
+    return Welding(faces, reach).make();
 }
 
 }  // namespace knotspan

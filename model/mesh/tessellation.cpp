@@ -86,7 +86,9 @@ private:
 
 Result<Tessellation> tessellateWhole(const PlacedScene& placed, const TessellationOptions& options)
 {
-    const CellCounts counts = cellCounts(placed.surfaces, options.deviation, options.angleDegrees);
+    const CellCounts counts =
+        cellCounts(placed.surfaces, std::vector<double>(placed.surfaces.size(), options.deviation),
+                   options.angleDegrees);
     if (const auto fine = isNotTooFine(counts, options.mostTriangles); !fine)
         return tl::unexpected(fine.error());
     const CoincidentEdges edges(placed.surfaces);
@@ -130,7 +132,7 @@ void append(Tessellation& to, Tessellation&& more)
 
 Result<Tessellation> tessellateMixed(const PlacedScene& placed, const TessellationOptions& options)
 {
-    const std::vector<char> reached = reachedByTrimming(placed, weldTolerance(placed, options.deviation));
+    const std::vector<char> reached = reachedByTrimming(placed, options.deviation);
     const PlacedScene trimmed = partOf(placed, reached, true);
     const PlacedScene whole = partOf(placed, reached, false);
     auto result =

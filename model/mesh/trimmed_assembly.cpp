@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include <glm/geometric.hpp>
+
 #include "model/mesh/facing_out.h"
 #include "model/mesh/mesh_limits.h"
 
@@ -36,6 +38,7 @@ public:
         firstTriangles_.push_back(result_.mesh.triangles.size());
         addChords();
         findUses();
+        boundChords();
         turn();
         sayWhatIsOpen();
         dropUnused(result_);
@@ -83,11 +86,11 @@ private:
             result_.mesh.triangles.push_back(triangle);
             result_.parameters.push_back(corners.t);
         }
-        result_.bound = std::max(result_.bound, face.bound + parts_.samples.gap(number));
-        const PlacedSurface& placed = parts_.placed.surfaces[number];
-        if (face.crosses)
-            result_.bound =
-                std::max(result_.bound, transformed(placed.surface->bounds(), placed.transform).diagonal());
+    }
+    [[nodiscard]] double sizeOf(std::uint32_t face) const
+    {
+        const PlacedSurface& placed = parts_.placed.surfaces[face];
+        return transformed(placed.surface->bounds(), placed.transform).diagonal();
     }
 
     void placeInside(std::uint32_t number)
@@ -150,6 +153,60 @@ private:
         std::sort(uses_.begin(), uses_.end(), [](const EdgeUse& a, const EdgeUse& b) {
             return std::tie(a.edge, a.face, a.rises) < std::tie(b.edge, b.face, b.rises);
         });
+    }
+
+    // Triangles and chords are as near to a face as it is said, but for what their ends were moved by; and a
+    // chord that no triangle has is as near to those as its ends are.
+    void boundChords()
+    {
+        Box box;
+        for (const Vec3& vertex : result_.mesh.vertices)
+            box.add(vertex);
+        unknown_ = box.diagonal();
+        std::vector<char> used(into_.size(), 0);
+        for (const Triangle& triangle : result_.mesh.triangles)
+            for (const std::uint32_t vertex : triangle)
+                if (vertex < used.size())
+                    used[vertex] = 1;
+        for (std::uint32_t face = 0; face < parts_.faces.size(); ++face) {
+            double moved = 0;
+            double lost = 0;
+            for (const FaceStretch& stretch : parts_.stretches[face]) {
+                const auto& samples = parts_.samples.of(stretch.seam);
+                for (size_t k = 0; k < samples.size(); ++k) {
+                    const std::uint32_t vertex = samples[k].vertex;
+                    const Vec3& at = result_.mesh.vertices[find(vertex)];
+                    moved = std::max(moved, glm::distance(parts_.samples.positions()[vertex], at));
+                    if (k > 0 && !isHair(face, samples[k - 1].vertex, vertex))
+                        lost =
+                            std::max(lost, farthestFromMesh(find(samples[k - 1].vertex), find(vertex), used));
+                }
+            }
+            const FaceTriangles& triangles = parts_.triangles[face];
+            const double known = triangles.bound + parts_.samples.gap(face) + moved + lost;
+            result_.bound =
+                std::max(result_.bound, triangles.crosses ? std::max(known, sizeOf(face)) : known);
+        }
+    }
+    [[nodiscard]] bool isHair(std::uint32_t face, std::uint32_t a, std::uint32_t b) const
+    {
+        const auto& hairs = parts_.triangles[face].hairs;
+        return std::binary_search(hairs.begin(), hairs.end(),
+                                  std::array<std::uint32_t, 2>{std::min(a, b), std::max(a, b)});
+    }
+    // Of a segment between two vertices.
+    [[nodiscard]] double farthestFromMesh(std::uint32_t from, std::uint32_t to,
+                                          const std::vector<char>& used) const
+    {
+        const std::uint64_t edge = std::uint64_t{std::min(from, to)} << 32U | std::max(from, to);
+        const auto use = std::lower_bound(uses_.begin(), uses_.end(), edge,
+                                          [](const EdgeUse& a, std::uint64_t b) { return a.edge < b; });
+        if (use != uses_.end() && use->edge == edge)
+            return 0;
+        const double length = glm::distance(result_.mesh.vertices[from], result_.mesh.vertices[to]);
+        if (used[from] != 0 && used[to] != 0)
+            return length / 2;
+        return used[from] != 0 || used[to] != 0 ? length : unknown_;
     }
 
     template <class Visit>
@@ -219,9 +276,9 @@ private:
             "known");
         say(open,
             "where the mesh is open: no other edge runs along one of its edges within " +
-                shortText(parts_.tolerance),
+                shortText(parts_.reach.edges),
             "where the mesh is open: no other edge runs along one of their edges within " +
-                shortText(parts_.tolerance));
+                shortText(parts_.reach.edges));
     }
     void say(const std::vector<std::uint32_t>& faces, const std::string& ofOne, const std::string& ofMany)
     {
@@ -239,6 +296,7 @@ private:
     }
 
     const TrimmedParts& parts_;
+    double unknown_ = 0;  // how far what lies next to no triangle is from them, at most
     Tessellation result_;
     std::vector<std::uint32_t> into_;  // of the outlines' vertices
     std::vector<size_t> firstTriangles_;

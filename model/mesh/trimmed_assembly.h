@@ -11,10 +11,10 @@ struct TrimmedParts {
     const std::vector<TrimRegion>& regions;
     const std::vector<OutlinedFace>& faces;
     const OutlineWeld& weld;
+    const WeldReach& reach;
     const OutlineSamples& samples;
     const std::vector<std::vector<FaceStretch>>& stretches;  // by face
     const std::vector<FaceTriangles>& triangles;             // by face
-    double tolerance = 0;                                    // that outlines were joined by
 };
 
 [[nodiscard]] Result<Tessellation> assembled(const TrimmedParts& parts);

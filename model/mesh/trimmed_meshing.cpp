@@ -18,10 +18,11 @@ constexpr int kMostRounds = 12;
 struct Outlined {
     std::vector<TrimRegion> regions;
     std::vector<OutlinedFace> faces;
+    WeldReach reach;
     OutlineWeld weld;
 };
 
-Outlined outlinesOf(const PlacedScene& placed, double tolerance)
+Outlined outlinesOf(const PlacedScene& placed, double deviation)
 {
     static const std::vector<TrimLoop> kNoLoops;
     Outlined result;
@@ -30,7 +31,8 @@ Outlined outlinesOf(const PlacedScene& placed, double tolerance)
                                     *surface.surface);
         result.faces.emplace_back(surface, result.regions.back());
     }
-    result.weld = weldOutlines(result.faces, tolerance);
+    result.reach = weldReach(result.faces, deviation);
+    result.weld = weldOutlines(result.faces, result.reach);
     return result;
 }
 
@@ -40,7 +42,7 @@ public:
         : outlined_(outlined),
           weld_(outlined.weld),
           errors_(errors),
-          samples_(outlined.faces, weld_, errors),
+          samples_(outlined.faces, weld_, outlined.reach.same, errors),
           stretches_(outlined.faces.size()),
           made_(outlined.faces.size())
     {
@@ -106,19 +108,46 @@ private:
     std::vector<FaceTriangles> made_;
 };
 
-}  // namespace
-
-double weldTolerance(const PlacedScene& placed, double deviation)
+// What of the deviation is left for a face's triangles. Finer than the file's own edges are apart there is
+// nothing to be gained, and triangles would fold.
+double leftOf(double deviation, double gap)
 {
-    constexpr double kOfDeviation = 0.3;
-    constexpr double kOfSize = 1e-5;  // what files' edges are off by, whatever deviation is asked for
-    Box box;
-    for (const PlacedSurface& surface : placed.surfaces)
-        box.add(transformed(surface.surface->bounds(), surface.transform));
-    return std::max(kOfDeviation * deviation, kOfSize * box.diagonal());
+    constexpr double kLeast = 0.25;
+    constexpr double kSpare = 1.1;
+    const double left = deviation - kSpare * gap;
+    return left >= kLeast * deviation ? left : std::max(kLeast * deviation, gap / 2);
 }
 
-std::vector<char> reachedByTrimming(const PlacedScene& placed, double tolerance)
+// `gaps`: how far each face is from the vertices that it shares, about; and in the end, in truth.
+Result<Tessellation> tessellateOutlined(const PlacedScene& placed, const Outlined& outlined,
+                                        const TessellationOptions& options, std::vector<double>& gaps)
+{
+    std::vector<double> left;
+    std::vector<double> forCells;
+    for (const double gap : gaps) {
+        left.push_back(leftOf(options.deviation, gap));
+        forCells.push_back(FaceErrors::kForCells * left.back());
+    }
+    KsQuadShapes shapes;
+    const CellCounts counts = cellCounts(placed.surfaces, forCells, options.angleDegrees, &shapes);
+    if (const auto fine = isNotTooFine(counts, options.mostTriangles); !fine)
+        return tl::unexpected(fine.error());
+    std::vector<FaceErrors> errors;
+    const std::vector<BorderNumbers> numbers = borderNumbers(placed.surfaces);
+    for (size_t face = 0; face < numbers.size(); ++face)
+        errors.emplace_back(counts, shapes, numbers[face].firstKsquad, static_cast<int>(numbers[face].spansV),
+                            left[face], options.angleDegrees.has_value());
+    TrimmedMeshing meshing(outlined, errors);
+    meshing.make();
+    for (std::uint32_t face = 0; face < gaps.size(); ++face)
+        gaps[face] = std::max(gaps[face], meshing.samples().gap(face));
+    return assembled({placed, outlined.regions, outlined.faces, outlined.weld, outlined.reach,
+                      meshing.samples(), meshing.stretches(), meshing.made()});
+}
+
+}  // namespace
+
+std::vector<char> reachedByTrimming(const PlacedScene& placed, double deviation)
 {
     const bool all = std::all_of(placed.surfaces.begin(), placed.surfaces.end(), [](const auto& surface) {
         return surface.trimLoops != nullptr && !surface.trimLoops->empty();
@@ -126,7 +155,7 @@ std::vector<char> reachedByTrimming(const PlacedScene& placed, double tolerance)
     std::vector<char> reached(placed.surfaces.size(), 1);
     if (all)
         return reached;
-    const Outlined outlined = outlinesOf(placed, tolerance);
+    const Outlined outlined = outlinesOf(placed, deviation);
     for (size_t k = 0; k < reached.size(); ++k)
         reached[k] = outlined.faces[k].isTrimmed() ? 1 : 0;
     const auto& stretches = outlined.weld.stretches;
@@ -147,23 +176,14 @@ std::vector<char> reachedByTrimming(const PlacedScene& placed, double tolerance)
 
 Result<Tessellation> tessellateTrimmed(const PlacedScene& placed, const TessellationOptions& options)
 {
-    constexpr double kLeast = 0.25;  // of the deviation, for the triangles
-    const Outlined outlined = outlinesOf(placed, weldTolerance(placed, options.deviation));
-    const double left = std::max(options.deviation - 1.1 * outlined.weld.gap, kLeast * options.deviation);
-    KsQuadShapes shapes;
-    const CellCounts counts =
-        cellCounts(placed.surfaces, FaceErrors::kForCells * left, options.angleDegrees, &shapes);
-    if (const auto fine = isNotTooFine(counts, options.mostTriangles); !fine)
-        return tl::unexpected(fine.error());
-    std::vector<FaceErrors> errors;
-    const std::vector<BorderNumbers> numbers = borderNumbers(placed.surfaces);
-    for (const BorderNumbers& number : numbers)
-        errors.emplace_back(counts, shapes, number.firstKsquad, static_cast<int>(number.spansV), left,
-                            options.angleDegrees.has_value());
-    TrimmedMeshing meshing(outlined, errors);
-    meshing.make();
-    return assembled({placed, outlined.regions, outlined.faces, outlined.weld, meshing.samples(),
-                      meshing.stretches(), meshing.made(), weldTolerance(placed, options.deviation)});
+    const Outlined outlined = outlinesOf(placed, options.deviation);
+    std::vector<double> gaps = outlined.weld.gaps;
+    auto made = tessellateOutlined(placed, outlined, options, gaps);
+    if (!made || made->crossing > 0 || made->bound <= options.deviation || gaps == outlined.weld.gaps)
+        return made;
+    // Joined edges were further apart than where the weld had looked.
+    auto again = tessellateOutlined(placed, outlined, options, gaps);
+    return again && again->bound < made->bound ? again : made;
 }
 
 }  // namespace knotspan

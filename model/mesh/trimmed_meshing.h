@@ -13,10 +13,7 @@ struct PlacedScene {
 };
 
 // Which surfaces are trimmed, or joined to one that is, or to one that is joined to it ...
-[[nodiscard]] std::vector<char> reachedByTrimming(const PlacedScene& placed, double tolerance);
-
-// How far apart edges may be that are taken for one.
-[[nodiscard]] double weldTolerance(const PlacedScene& placed, double deviation);
+[[nodiscard]] std::vector<char> reachedByTrimming(const PlacedScene& placed, double deviation);
 
 [[nodiscard]] Result<Tessellation> tessellateTrimmed(const PlacedScene& placed,
                                                      const TessellationOptions& options);
