@@ -86,14 +86,19 @@ ChildRun runOne(std::vector<std::string> arguments)
 
 }  // namespace
 
+int ChildRun::exitCode() const
+{
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
 bool ChildRun::isDone() const
 {
-    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    return exitCode() == 0;
 }
 
 bool ChildRun::hasCrashed() const
 {
-    return !WIFEXITED(status) || WEXITSTATUS(status) > 3;
+    return exitCode() < 0 || exitCode() > 3;
 }
 
 std::string ChildRun::end() const

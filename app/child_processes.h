@@ -15,6 +15,7 @@ struct ChildRun {
     double seconds = 0;
     double peakMebibytes = 0;
 
+    [[nodiscard]] int exitCode() const;     // -1: ended by a signal
     [[nodiscard]] bool isDone() const;      // exit code 0
     [[nodiscard]] bool hasCrashed() const;  // ended otherwise than by main() returning
     [[nodiscard]] std::string end() const;  // "signal 11", "exit code 1"

@@ -1,7 +1,8 @@
 // The commands of the program. Each adds its own options to the command line and sets `exitCode` when it ran.
 //
 // Exit codes are a contract: 0 done, 1 the work failed (one sentence on standard error), 2 the call was wrong
-// (a CLI::ParseError, which main() reports), 3 the model misses a tolerance. Data goes to standard output,
+// (a CLI::ParseError, which main() reports), 3 the model, or a mesh that was made of it,
+// misses a tolerance. Data goes to standard output,
 // everything else to standard error.
 #pragma once
 

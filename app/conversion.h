@@ -33,6 +33,12 @@ struct ConversionReport {
     std::optional<formats::MeshExportReport> mesh;  // where a mesh was written
     std::optional<double> largestDifference;        // relative, where surfaces were verified
     bool isMeshVerified = false;
+
+    // Whether a mesh was written that may be further from the surfaces than its deviation allows.
+    [[nodiscard]] bool missesDeviation() const
+    {
+        return mesh && mesh->deviation && !mesh->deviation->isKept();
+    }
 };
 
 // Whether it is a mesh that is written there: an .obj is one only where a deviation is asked for.

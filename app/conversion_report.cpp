@@ -25,7 +25,8 @@ void add(Json& json, const formats::MeshExportReport& mesh)
     if (mesh.deviation)
         json["deviation"] = {{"asked", mesh.deviation->asked},
                              {"bound", mesh.deviation->bound},
-                             {"measured", mesh.deviation->measured}};
+                             {"measured", mesh.deviation->measured},
+                             {"kept", mesh.deviation->isKept()}};
 }
 
 }  // namespace

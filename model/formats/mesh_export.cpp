@@ -48,6 +48,9 @@ Result<Made> make(const Scene& scene, const MeshExportOptions& options)
     auto made = makeWithin(scene, options, options.deviation);
     if (!made || made->asked == 0 || made->surfaces.bound + made->moved <= made->asked || made->moved == 0)
         return made;
+    // Edges of the model are further apart: no format would help.
+    if (made->surfaces.bound > made->asked)
+        return made;
     const double asked = made->asked;
     if (made->moved < asked / 2) {
         made = makeWithin(scene, options, asked - 1.5 * made->moved);

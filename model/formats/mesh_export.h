@@ -32,6 +32,7 @@ struct MeshExportReport {
         double bound = 0;
         double measured = 0;
         double angleDegrees = 0;  // measured, where an angle was asked for
+        [[nodiscard]] bool isKept() const { return bound <= asked; }
     };
     std::optional<Deviation> deviation;
     std::vector<std::string> notes;  // sentences for the user
@@ -43,7 +44,8 @@ struct MeshExportReport {
 // What exportMesh() would write, by making it: takes as long, but for the writing. From any thread.
 [[nodiscard]] Result<MeshCounts> meshCounts(const Scene& scene, const MeshExportOptions& options);
 
-// Of what is visible. From any thread; the file is the old one or the new one, whole.
+// Of what is visible. From any thread; the file is the old one or the new one, whole. Where edges of the
+// model are further apart than the deviation it is written all the same: the report says so.
 [[nodiscard]] Result<MeshExportReport> exportMesh(const Scene& scene, const std::filesystem::path& path,
                                                   const MeshExportOptions& options);
 

@@ -1,6 +1,9 @@
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "model/formats/format_list.h"
+#include "model/geometry/primitives.h"
 #include "model/samples/sample_list.h"
 #include "tests/app/run_program.h"
 #include "tests/support.h"
@@ -8,6 +11,33 @@
 using namespace knotspan;
 using namespace knotspan::testing;
 namespace fs = std::filesystem;
+
+namespace {
+
+// A wall and two ends, the upper one half a thousandth above it.
+void writeGappedCan(const fs::path& path)
+{
+    const double half = std::sqrt(0.5);
+    std::vector<TrimPoint> round;
+    for (int k = 0; k <= 8; ++k) {
+        const double angle = k % 8 * M_PI / 4;
+        const double reach = k % 2 == 0 ? 0.25 : 0.25 / half;
+        round.push_back({Vec2(0.5) + reach * Vec2(std::cos(angle), std::sin(angle)), k % 2 == 0 ? 1 : half});
+    }
+    const TrimCurve circle =
+        TrimCurve::create(KnotVector::create(2, {0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4}).value(), round).value();
+    Scene scene;
+    scene.add({.name = "wall", .surface = cylinder({0, 0, 0}, 2, 3)});
+    scene.add({.name = "below",
+               .surface = plane({-4, 4, 0}, {8, 0, 0}, {0, -8, 0}),
+               .trimLoops = {{true, {circle}}}});
+    scene.add({.name = "above",
+               .surface = plane({-4, -4, 3 + 5e-4}, {8, 0, 0}, {0, 8, 0}),
+               .trimLoops = {{true, {circle}}}});
+    ASSERT_TRUE(formats::write(scene, path));
+}
+
+}  // namespace
 
 TEST(ConvertCommand, KnotspanToKnotspanIsTheSameFile)
 {
@@ -122,4 +152,34 @@ TEST(ConvertCommand, WritesNothingWhereItFails)
     expectFailure({"convert", a, out + "/absent/b.knotspan", "--verify"}, out + "/absent");
     expectFailure({"convert", a, "--to", "knotspan", "-d", folder / "absent"}, folder / "absent");
     EXPECT_TRUE(fs::is_empty(out));
+}
+
+// The file's own edges are further apart: written all the same, and said.
+TEST(ConvertCommand, GivesThreeWhereAMeshMissesItsDeviation)
+{
+    const TemporaryFolder folder;
+    writeGappedCan(folder / "a.knotspan");
+    for (const std::string extension : {"ply", "stl"}) {
+        const std::string output = folder / ("a." + extension);
+        const ProgramRun missed =
+            runProgram({"convert", folder / "a.knotspan", output, "--deviation", "1e-4", "--json"});
+        EXPECT_EQ(missed.exitCode, 3) << missed.messages;
+        EXPECT_NE(missed.messages.find("Joined borders are apart"), std::string::npos) << missed.messages;
+        EXPECT_NE(missed.output.find("\"kept\":false"), std::string::npos) << missed.output;
+        EXPECT_TRUE(fs::exists(output));
+        const ProgramRun kept =
+            runProgram({"convert", folder / "a.knotspan", output, "--deviation", "1e-2", "--json"});
+        EXPECT_EQ(kept.exitCode, 0) << kept.messages;
+        EXPECT_NE(kept.output.find("\"kept\":true"), std::string::npos) << kept.output;
+    }
+    // Among many, a file that fails outweighs one that misses.
+    const auto many = [&](const std::vector<std::string>& files) {
+        std::vector<std::string> call{"convert", "--to", "ply", "-d", folder / "", "--deviation", "1e-4"};
+        call.insert(call.end(), files.begin(), files.end());
+        return runProgram(call).exitCode;
+    };
+    ASSERT_EQ(runProgram({"sample", "sphere", "-o", folder / "b.knotspan"}).exitCode, 0);
+    EXPECT_EQ(many({folder / "a.knotspan", folder / "b.knotspan"}), 3);
+    EXPECT_EQ(many({folder / "a.knotspan", folder / "none.knotspan"}), 1);
+    EXPECT_EQ(many({folder / "b.knotspan"}), 0);
 }
