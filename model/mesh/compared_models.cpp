@@ -18,8 +18,9 @@ bool showsSurfaces(const Scene& scene)
                        [](const auto& entry) { return entry.second->visible; });
 }
 
-// Surfaces within `deviation`, or as near to it as so many triangles come. Of a face whose edges the file has
-// further apart than a fine deviation nobody knows how far it is off: then a coarser one is nearer.
+// Surfaces within `deviation`, or as near to it as so many triangles come. Of a face whose
+// outline crosses itself by more than a fine deviation nobody knows how far it is off: then a coarser one is
+// nearer.
 Result<Tessellation> nearestTessellation(const Scene& scene, double deviation, size_t most)
 {
     constexpr int kTries = 20;
@@ -28,7 +29,7 @@ Result<Tessellation> nearestTessellation(const Scene& scene, double deviation, s
     Result<Tessellation> best = failure("");
     int coarser = 0;
     for (int k = 0; k < kTries && coarser <= kCoarser; ++k, deviation *= kStep) {
-        auto made = tessellate(scene, {deviation, {}, false, most});
+        auto made = tessellate(scene, {deviation, {}, false, most, false});
         if (!made) {
             if (!best)
                 best = std::move(made);

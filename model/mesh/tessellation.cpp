@@ -132,7 +132,7 @@ void append(Tessellation& to, Tessellation&& more)
 
 Result<Tessellation> tessellateMixed(const PlacedScene& placed, const TessellationOptions& options)
 {
-    const std::vector<char> reached = reachedByTrimming(placed, options.deviation);
+    const std::vector<char> reached = reachedByTrimming(placed, options);
     const PlacedScene trimmed = partOf(placed, reached, true);
     const PlacedScene whole = partOf(placed, reached, false);
     auto result =

@@ -25,6 +25,8 @@ struct TessellationOptions {
     std::optional<double> angleDegrees;
     bool hiddenToo = false;
     size_t mostTriangles = 20'000'000;
+    // Without, only edges are one that agree to rounding: nearer to each face, but open where they are apart.
+    bool joinsEdges = true;
 };
 
 // The triangles of a KSQuad, up to the next patch's first.

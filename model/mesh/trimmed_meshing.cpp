@@ -22,7 +22,7 @@ struct Outlined {
     OutlineWeld weld;
 };
 
-Outlined outlinesOf(const PlacedScene& placed, double deviation)
+Outlined outlinesOf(const PlacedScene& placed, const TessellationOptions& options)
 {
     static const std::vector<TrimLoop> kNoLoops;
     Outlined result;
@@ -31,7 +31,9 @@ Outlined outlinesOf(const PlacedScene& placed, double deviation)
                                     *surface.surface);
         result.faces.emplace_back(surface, result.regions.back());
     }
-    result.reach = weldReach(result.faces, deviation);
+    result.reach = weldReach(result.faces, options.deviation);
+    if (!options.joinsEdges)
+        result.reach.tiny = result.reach.edges = result.reach.same;
     result.weld = weldOutlines(result.faces, result.reach);
     return result;
 }
@@ -147,7 +149,7 @@ Result<Tessellation> tessellateOutlined(const PlacedScene& placed, const Outline
 
 }  // namespace
 
-std::vector<char> reachedByTrimming(const PlacedScene& placed, double deviation)
+std::vector<char> reachedByTrimming(const PlacedScene& placed, const TessellationOptions& options)
 {
     const bool all = std::all_of(placed.surfaces.begin(), placed.surfaces.end(), [](const auto& surface) {
         return surface.trimLoops != nullptr && !surface.trimLoops->empty();
@@ -155,7 +157,7 @@ std::vector<char> reachedByTrimming(const PlacedScene& placed, double deviation)
     std::vector<char> reached(placed.surfaces.size(), 1);
     if (all)
         return reached;
-    const Outlined outlined = outlinesOf(placed, deviation);
+    const Outlined outlined = outlinesOf(placed, options);
     for (size_t k = 0; k < reached.size(); ++k)
         reached[k] = outlined.faces[k].isTrimmed() ? 1 : 0;
     const auto& stretches = outlined.weld.stretches;
@@ -176,7 +178,7 @@ std::vector<char> reachedByTrimming(const PlacedScene& placed, double deviation)
 
 Result<Tessellation> tessellateTrimmed(const PlacedScene& placed, const TessellationOptions& options)
 {
-    const Outlined outlined = outlinesOf(placed, options.deviation);
+    const Outlined outlined = outlinesOf(placed, options);
     std::vector<double> gaps = outlined.weld.gaps;
     auto made = tessellateOutlined(placed, outlined, options, gaps);
     if (!made || made->crossing > 0 || made->bound <= options.deviation || gaps == outlined.weld.gaps)

@@ -13,7 +13,8 @@ struct PlacedScene {
 };
 
 // Which surfaces are trimmed, or joined to one that is, or to one that is joined to it ...
-[[nodiscard]] std::vector<char> reachedByTrimming(const PlacedScene& placed, double deviation);
+[[nodiscard]] std::vector<char> reachedByTrimming(const PlacedScene& placed,
+                                                  const TessellationOptions& options);
 
 [[nodiscard]] Result<Tessellation> tessellateTrimmed(const PlacedScene& placed,
                                                      const TessellationOptions& options);
