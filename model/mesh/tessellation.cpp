@@ -6,7 +6,7 @@
 #include "model/mesh/cell_counts.h"
 #include "model/mesh/facing_out.h"
 #include "model/mesh/mesh_limits.h"
-#include "model/mesh/trimmed_meshing.h"
+#include "model/mesh/mesh_parts.h"
 
 namespace knotspan {
 
@@ -95,46 +95,11 @@ Result<Tessellation> tessellateWhole(const PlacedScene& placed, const Tessellati
     return Meshing(placed, edges, counts).make();
 }
 
-PlacedScene partOf(const PlacedScene& placed, const std::vector<char>& which, bool isIn)
-{
-    PlacedScene part;
-    for (size_t k = 0; k < which.size(); ++k)
-        if ((which[k] != 0) == isIn) {
-            part.surfaces.push_back(placed.surfaces[k]);
-            part.objects.push_back(placed.objects[k]);
-            part.names.push_back(placed.names[k]);
-        }
-    return part;
-}
-
-void append(Tessellation& to, Tessellation&& more)
-{
-    const auto vertices = static_cast<std::uint32_t>(to.mesh.vertices.size());
-    const size_t triangles = to.mesh.triangles.size();
-    to.mesh.vertices.insert(to.mesh.vertices.end(), more.mesh.vertices.begin(), more.mesh.vertices.end());
-    for (const Triangle& triangle : more.mesh.triangles)
-        to.mesh.triangles.push_back({triangle[0] + vertices, triangle[1] + vertices, triangle[2] + vertices});
-    to.parameters.insert(to.parameters.end(), more.parameters.begin(), more.parameters.end());
-    for (MeshPatch patch : more.patches) {
-        patch.firstTriangle += triangles;
-        to.patches.push_back(patch);
-    }
-    for (OutlineChord chord : more.chords) {
-        for (std::uint32_t& vertex : chord.vertices)
-            vertex += vertices;
-        to.chords.push_back(chord);
-    }
-    to.bound = std::max(to.bound, more.bound);
-    to.uncut += more.uncut;
-    to.crossing += more.crossing;
-    to.notes.insert(to.notes.end(), more.notes.begin(), more.notes.end());
-}
-
 Result<Tessellation> tessellateMixed(const PlacedScene& placed, const TessellationOptions& options)
 {
-    const std::vector<char> reached = reachedByTrimming(placed, options);
-    const PlacedScene trimmed = partOf(placed, reached, true);
-    const PlacedScene whole = partOf(placed, reached, false);
+    const std::vector<std::uint32_t> reached = reachedByTrimming(placed, options);
+    const PlacedScene trimmed = partOf(placed, reached, 1);
+    const PlacedScene whole = partOf(placed, reached, 0);
     auto result =
         trimmed.surfaces.empty() ? tessellateWhole(whole, options) : tessellateTrimmed(trimmed, options);
     if (!result || trimmed.surfaces.empty() || whole.surfaces.empty())
@@ -142,10 +107,7 @@ Result<Tessellation> tessellateMixed(const PlacedScene& placed, const Tessellati
     auto rest = tessellateWhole(whole, options);
     if (!rest)
         return rest;
-    if (result->mesh.vertices.size() + rest->mesh.vertices.size() > UINT32_MAX)
-        return failure("A mesh this fine would have too many vertices", "Choose a larger deviation");
-    append(*result, std::move(*rest));
-    return result;
+    return appended(*std::move(result), *std::move(rest));
 }
 
 }  // namespace

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <optional>
 
 #include "model/mesh/face_triangles.h"
 #include "model/mesh/mesh_limits.h"
+#include "model/mesh/mesh_parts.h"
+#include "model/mesh/touching_bodies.h"
 #include "model/mesh/trimmed_assembly.h"
 
 namespace knotspan {
@@ -22,7 +25,9 @@ struct Outlined {
     OutlineWeld weld;
 };
 
-Outlined outlinesOf(const PlacedScene& placed, const TessellationOptions& options)
+// Of a part of a scene with the whole one's reach.
+Outlined outlinesOf(const PlacedScene& placed, const TessellationOptions& options,
+                    std::optional<WeldReach> reach = {})
 {
     static const std::vector<TrimLoop> kNoLoops;
     Outlined result;
@@ -31,7 +36,7 @@ Outlined outlinesOf(const PlacedScene& placed, const TessellationOptions& option
                                     *surface.surface);
         result.faces.emplace_back(surface, result.regions.back());
     }
-    result.reach = weldReach(result.faces, options.deviation);
+    result.reach = reach ? *reach : weldReach(result.faces, options.deviation);
     if (!options.joinsEdges)
         result.reach.tiny = result.reach.edges = result.reach.same;
     result.weld = weldOutlines(result.faces, result.reach);
@@ -147,19 +152,31 @@ Result<Tessellation> tessellateOutlined(const PlacedScene& placed, const Outline
                       meshing.samples(), meshing.stretches(), meshing.made()});
 }
 
+Result<Tessellation> tessellateWelded(const PlacedScene& placed, const Outlined& outlined,
+                                      const TessellationOptions& options)
+{
+    std::vector<double> gaps = outlined.weld.gaps;
+    auto made = tessellateOutlined(placed, outlined, options, gaps);
+    if (!made || made->crossing > 0 || made->bound <= options.deviation || gaps == outlined.weld.gaps)
+        return made;
+    // Joined edges were further apart than where the weld had looked.
+    auto again = tessellateOutlined(placed, outlined, options, gaps);
+    return again && again->bound < made->bound ? again : made;
+}
+
 }  // namespace
 
-std::vector<char> reachedByTrimming(const PlacedScene& placed, const TessellationOptions& options)
+std::vector<std::uint32_t> reachedByTrimming(const PlacedScene& placed, const TessellationOptions& options)
 {
     const bool all = std::all_of(placed.surfaces.begin(), placed.surfaces.end(), [](const auto& surface) {
         return surface.trimLoops != nullptr && !surface.trimLoops->empty();
     });
-    std::vector<char> reached(placed.surfaces.size(), 1);
+    std::vector<std::uint32_t> reached(placed.surfaces.size(), 1);
     if (all)
         return reached;
     const Outlined outlined = outlinesOf(placed, options);
     for (size_t k = 0; k < reached.size(); ++k)
-        reached[k] = outlined.faces[k].isTrimmed() ? 1 : 0;
+        reached[k] = outlined.faces[k].isTrimmed() ? 1U : 0U;
     const auto& stretches = outlined.weld.stretches;
     for (bool more = true; more;) {
         more = false;
@@ -179,13 +196,21 @@ std::vector<char> reachedByTrimming(const PlacedScene& placed, const Tessellatio
 Result<Tessellation> tessellateTrimmed(const PlacedScene& placed, const TessellationOptions& options)
 {
     const Outlined outlined = outlinesOf(placed, options);
-    std::vector<double> gaps = outlined.weld.gaps;
-    auto made = tessellateOutlined(placed, outlined, options, gaps);
-    if (!made || made->crossing > 0 || made->bound <= options.deviation || gaps == outlined.weld.gaps)
-        return made;
-    // Joined edges were further apart than where the weld had looked.
-    auto again = tessellateOutlined(placed, outlined, options, gaps);
-    return again && again->bound < made->bound ? again : made;
+    const auto bodies = touchingBodies(static_cast<std::uint32_t>(placed.surfaces.size()), outlined.weld);
+    const std::uint32_t count = *std::max_element(bodies.begin(), bodies.end()) + 1;
+    if (count == 1)
+        return tessellateWelded(placed, outlined, options);
+    Result<Tessellation> result = Tessellation{};
+    for (std::uint32_t body = 0; body < count && result; ++body) {
+        const PlacedScene part = partOf(placed, bodies, body);
+        TessellationOptions left = options;
+        left.mostTriangles -= std::min(left.mostTriangles, result->mesh.triangles.size());
+        auto made = tessellateWelded(part, outlinesOf(part, options, outlined.reach), left);
+        if (!made)
+            return made;
+        result = appended(*std::move(result), *std::move(made));
+    }
+    return result;
 }
 
 }  // namespace knotspan

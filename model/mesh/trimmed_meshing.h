@@ -12,10 +12,11 @@ struct PlacedScene {
     std::vector<std::string> names;
 };
 
-// Which surfaces are trimmed, or joined to one that is, or to one that is joined to it ...
-[[nodiscard]] std::vector<char> reachedByTrimming(const PlacedScene& placed,
-                                                  const TessellationOptions& options);
+// 1 for surfaces that are trimmed, or joined to one that is, or to one that is joined to it ...
+[[nodiscard]] std::vector<std::uint32_t> reachedByTrimming(const PlacedScene& placed,
+                                                           const TessellationOptions& options);
 
+// Bodies that touch are welded each by itself.
 [[nodiscard]] Result<Tessellation> tessellateTrimmed(const PlacedScene& placed,
                                                      const TessellationOptions& options);
 
