@@ -6,7 +6,7 @@ namespace knotspan {
 
 WeldReach weldReach(const std::vector<OutlinedFace>& faces, double deviation)
 {
-    constexpr double kOfDeviation = 0.3;
+    constexpr double kOfDeviation = 0.5;
     // Of the size.
     constexpr double kSame = 1e-7;
     constexpr double kLeast = 1e-5;
