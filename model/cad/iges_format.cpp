@@ -15,6 +15,7 @@
 
 #include "model/cad/iges_writing.h"
 #include "model/cad/occt_entities.h"
+#include "model/cad/occt_healing.h"
 #include "model/cad/occt_reading.h"
 
 namespace knotspan::formats {
@@ -137,6 +138,7 @@ Result<Import> readAll(const std::filesystem::path& path, const ImportProgress& 
     if (reader.ReadFile(path.c_str()) != IFSelect_RetDone || reader.IGESModel().IsNull())
         return failure("The IGES file is damaged", "Export or copy it again");
     const Handle(StageProgress) making = new StageProgress(progress, "Making shapes", 0, 0.5);
+    const SwiftHealing healing;
     reader.TransferRoots(making->Start());
     const Labels labels(reader);
     return importOf({"IGES", reader.OneShape(), [&](const TopoDS_Shape& shape) { return labels.name(shape); },

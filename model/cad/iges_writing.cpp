@@ -16,6 +16,7 @@
 #include <XSAlgo.hxx>
 #include <XSAlgo_AlgoContainer.hxx>
 
+#include "model/cad/iges_faces.h"
 #include "model/cad/occt_writing.h"
 #include "model/files/text_file.h"
 
@@ -63,7 +64,7 @@ void fillHeader(const Handle(IGESData_IGESModel) & model, double tolerance)
 Result<void> add(const occt::ExportedFace& face, IGESControl_Writer& writer, BRepToIGES_BREntity& maker,
                  Colours& colours)
 {
-    const Handle(IGESData_IGESEntity) entity = maker.TransferShape(face.face);
+    const Handle(IGESData_IGESEntity) entity = igesFace(face.face, maker);
     if (entity.IsNull())
         return failure("OpenCASCADE could not write \"" + face.name + "\" as IGES",
                        "Save the model as .knotspan instead");

@@ -1,8 +1,11 @@
 #include "model/cad/occt_export_wires.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <optional>
+#include <unordered_map>
 
 #include <BRepLib.hxx>
 #include <BRep_Builder.hxx>
@@ -39,6 +42,48 @@ std::optional<Straight> straight(const TrimCurve& curve)
     return Straight{curve.points()[0].position, curve.points()[1].position};
 }
 
+// The corners of a loop that are one point in space, found without comparing each with each.
+class Places {
+public:
+    explicit Places(double tolerance) : tolerance_(tolerance) {}
+
+    // Counts this place, and gives the first one before it that lies within the tolerance of it.
+    std::optional<size_t> add(const gp_Pnt& place)
+    {
+        const Cell cell{cellOf(place.X()), cellOf(place.Y()), cellOf(place.Z())};
+        std::optional<size_t> first;
+        for (int k = 0; k < 27; ++k) {
+            const Cell beside{cell[0] + k % 3 - 1, cell[1] + k / 3 % 3 - 1, cell[2] + k / 9 - 1};
+            const auto found = cells_.find(beside);
+            if (found == cells_.end())
+                continue;
+            for (const size_t other : found->second)
+                if (places_[other].Distance(place) <= tolerance_ && (!first || other < *first))
+                    first = other;
+        }
+        cells_[cell].push_back(places_.size());
+        places_.push_back(place);
+        return first;
+    }
+
+private:
+    using Cell = std::array<double, 3>;
+    struct Hash {
+        size_t operator()(const Cell& cell) const
+        {
+            size_t hash = 0;
+            for (const double part : cell)
+                hash = hash * 1000003 + std::hash<double>()(part);
+            return hash;
+        }
+    };
+    [[nodiscard]] double cellOf(double coordinate) const { return std::floor(coordinate / tolerance_); }
+
+    double tolerance_;
+    std::vector<gp_Pnt> places_;
+    std::unordered_map<Cell, std::vector<size_t>, Hash> cells_;
+};
+
 class LoopBuilder {
 public:
     LoopBuilder(TopoDS_Face& face, double size)
@@ -46,11 +91,15 @@ public:
           surface_(BRep_Tool::Surface(face)),
           tolerance_(std::max(Precision::Confusion(), kFitTolerance * size))
     {
+        surface_->Bounds(low_[0], high_[0], low_[1], high_[1]);
+        closed_[0] = surface_->IsUClosed();
+        closed_[1] = surface_->IsVClosed();
     }
 
     [[nodiscard]] Result<void> add(const std::vector<TrimCurve>& curves)
     {
         makeVertices(curves);
+        findSides(curves);
         TopoDS_Wire wire;
         builder_.MakeWire(wire);
         std::vector<TopoDS_Edge> edges(curves.size());
@@ -78,46 +127,60 @@ private:
     void makeVertices(const std::vector<TrimCurve>& curves)
     {
         vertices_.clear();
-        std::vector<gp_Pnt> places;
+        Places places(tolerance_);
         for (const TrimCurve& curve : curves) {
             const gp_Pnt here = place(curve.points().front().position);
-            TopoDS_Vertex vertex;
-            for (size_t k = 0; k < places.size() && vertex.IsNull(); ++k)
-                if (places[k].Distance(here) <= tolerance_)
-                    vertex = vertices_[k];
-            if (vertex.IsNull())
+            const auto same = places.add(here);
+            TopoDS_Vertex vertex = same ? vertices_[*same] : TopoDS_Vertex();
+            if (!same)
                 builder_.MakeVertex(vertex, here, tolerance_);
-            places.push_back(here);
             vertices_.push_back(vertex);
         }
+    }
+
+    // The lines that run along one side of a closed direction, by where they do.
+    struct Side {
+        int axis = 0;
+        bool atEnd = false;
+        double from = 0;
+        double to = 0;
+
+        auto operator<=>(const Side&) const = default;
+    };
+
+    [[nodiscard]] std::optional<Side> sideOf(const TrimCurve& curve) const
+    {
+        const auto line = straight(curve);
+        for (const int axis : {0, 1}) {
+            const int along = 1 - axis;
+            if (!line || !closed_[axis] || line->from[axis] != line->to[axis])
+                continue;
+            if (const bool atEnd = line->from[axis] == high_[axis]; atEnd || line->from[axis] == low_[axis])
+                return Side{axis, atEnd, line->from[along], line->to[along]};
+        }
+        return std::nullopt;
+    }
+
+    void findSides(const std::vector<TrimCurve>& curves)
+    {
+        sides_.clear();
+        for (size_t k = 0; k < curves.size(); ++k)
+            if (const auto side = sideOf(curves[k]))
+                sides_[*side].push_back(k);
     }
 
     // The curve that is this one in space, run backwards on the other side of the parameter plane.
     [[nodiscard]] std::optional<size_t> acrossTheSeam(const std::vector<TrimCurve>& curves, size_t k) const
     {
-        const auto here = straight(curves[k]);
+        const auto here = sideOf(curves[k]);
         if (!here || isPoint(curves[k]))
             return std::nullopt;
-        double low[2];
-        double high[2];
-        surface_->Bounds(low[0], high[0], low[1], high[1]);
-        for (size_t other = 0; other < curves.size(); ++other) {
-            const auto there = straight(curves[other]);
-            if (other == k || !there || curves[other].knots() != curves[k].knots())
-                continue;
-            for (const int axis : {0, 1}) {
-                const int along = 1 - axis;
-                const bool closed = axis == 0 ? surface_->IsUClosed() : surface_->IsVClosed();
-                const auto on = [&](const Straight& line, double side) {
-                    return line.from[axis] == side && line.to[axis] == side;
-                };
-                const bool facing = (on(*here, low[axis]) && on(*there, high[axis])) ||
-                                    (on(*here, high[axis]) && on(*there, low[axis]));
-                if (closed && facing && here->from[along] == there->to[along] &&
-                    here->to[along] == there->from[along])
-                    return other;
-            }
-        }
+        const auto there = sides_.find({here->axis, !here->atEnd, here->to, here->from});
+        if (there == sides_.end())
+            return std::nullopt;
+        for (const size_t other : there->second)
+            if (curves[other].knots() == curves[k].knots())
+                return other;
         return std::nullopt;
     }
 
@@ -175,7 +238,11 @@ private:
     TopoDS_Face& face_;
     Handle(Geom_Surface) surface_;
     double tolerance_;
+    double low_[2];
+    double high_[2];
+    bool closed_[2];  // asked once: OpenCASCADE makes curves of the sides each time
     BRep_Builder builder_;
+    std::map<Side, std::vector<size_t>> sides_;
     std::vector<TopoDS_Vertex> vertices_;
 };
 

@@ -6,6 +6,7 @@
 #include <TColStd_SequenceOfAsciiString.hxx>
 #include <TCollection_HAsciiString.hxx>
 
+#include "model/cad/occt_healing.h"
 #include "model/cad/occt_reading.h"
 #include "model/cad/step_checks.h"
 #include "model/cad/step_labels.h"
@@ -43,6 +44,7 @@ Result<Import> readAll(const std::filesystem::path& path, const ImportProgress& 
         return tl::unexpected(records.error());
     const std::string unit = unitOf(reader);
     const Handle(StageProgress) making = new StageProgress(progress, "Making shapes", 0, 0.5);
+    const SwiftHealing healing;
     reader.TransferRoots(making->Start());
     const StepLabels labels(reader);
     return importOf({"STEP", reader.OneShape(), [&](const TopoDS_Shape& shape) { return labels.name(shape); },

@@ -1,6 +1,7 @@
 #include "model/cad/step_writing.h"
 
 #include <APIHeaderSection_MakeHeader.hxx>
+#include <BRep_Builder.hxx>
 #include <Interface_Static.hxx>
 #include <STEPControl_Controller.hxx>
 #include <STEPControl_Writer.hxx>
@@ -16,6 +17,7 @@
 #include <XSControl_WorkSession.hxx>
 
 #include "model/cad/occt_writing.h"
+#include "model/cad/step_chunks.h"
 #include "model/cad/step_styles.h"
 #include "model/cad/step_texts.h"
 
@@ -54,22 +56,44 @@ WrittenShells shellsIn(const Model& model)
     return written;
 }
 
+Handle(StepShape_ConnectedFaceSet) shellOf(const Handle(StepShape_ShellBasedSurfaceModel) & model)
+{
+    return Handle(StepShape_ConnectedFaceSet)::DownCast(model->SbsmBoundaryValue(1).Value());
+}
+
 Handle(StepShape_Face) faceOf(const Handle(StepShape_ShellBasedSurfaceModel) & model)
 {
-    const auto shell = Handle(StepShape_ConnectedFaceSet)::DownCast(model->SbsmBoundaryValue(1).Value());
+    const auto shell = shellOf(model);
     return shell.IsNull() || shell->NbCfsFaces() < 1 ? Handle(StepShape_Face)() : shell->CfsFacesValue(1);
 }
 
-// Fails where the writer has left a face out.
-Result<void> label(const Model& model, const Handle(XSControl_WorkSession) & session,
-                   const std::vector<occt::ExportedFace>& faces, StepTexts& texts)
+Result<void> join(STEPControl_Writer& writer, const WrittenShells& written,
+                  const std::vector<occt::ExportedFace>& faces)
 {
+    std::vector<Handle(StepShape_ConnectedFaceSet)> shells;
+    std::vector<TopoDS_Face> originals;
+    for (size_t k = 0; k < faces.size(); ++k) {
+        shells.push_back(shellOf(written.shells[k]));
+        originals.push_back(faces[k].face);
+        if (shells.back().IsNull() || shells.back()->NbCfsFaces() < 1)
+            return failure("OpenCASCADE could not write \"" + faces[k].name + "\" as STEP",
+                           "Save the model as .knotspan instead");
+    }
+    return joinChunks(writer, shells, originals);
+}
+
+// Fails where the writer has left a face out.
+Result<void> label(STEPControl_Writer& writer, const std::vector<occt::ExportedFace>& faces, StepTexts& texts)
+{
+    const Model model = writer.Model();
     const WrittenShells written = shellsIn(model);
-    StepColours colours(session);
     if (written.shells.size() != faces.size())
         return failure("OpenCASCADE left out " + std::to_string(faces.size() - written.shells.size()) +
                            " of " + std::to_string(faces.size()) + " surfaces",
                        "Save the model as .knotspan instead");
+    if (auto joined = join(writer, written, faces); !joined)
+        return joined;
+    StepColours colours(writer.WS());
     for (size_t k = 0; k < faces.size(); ++k) {
         const Handle(StepShape_Face) face = faceOf(written.shells[k]);
         if (face.IsNull())
@@ -119,6 +143,16 @@ Result<void> print(const Model& model, const StepTexts& texts, const Handle(XSCo
     });
 }
 
+TopoDS_Compound chunked(const occt::ExportedScene& scene)
+{
+    TopoDS_Compound compound;
+    BRep_Builder builder;
+    builder.MakeCompound(compound);
+    for (const occt::ExportedFace& face : scene.faces)
+        builder.Add(compound, inChunks(face.face));
+    return compound;
+}
+
 Result<void> writeAll(const occt::ExportedScene& scene, const std::string& unit,
                       const std::filesystem::path& path)
 {
@@ -132,12 +166,12 @@ Result<void> writeAll(const occt::ExportedScene& scene, const std::string& unit,
     Interface_Static::SetCVal("write.step.schema", "AP214IS");
     STEPControl_Writer writer;
     writer.SetTolerance(scene.tolerance);
-    const IFSelect_ReturnStatus status = writer.Transfer(scene.compound, STEPControl_ShellBasedSurfaceModel);
+    const IFSelect_ReturnStatus status = writer.Transfer(chunked(scene), STEPControl_ShellBasedSurfaceModel);
     if (status != IFSelect_RetDone)
         return failure("OpenCASCADE could not turn the model into STEP", "Save it as .knotspan instead");
     const Model model = writer.Model();
     StepTexts texts;
-    if (auto labelled = label(model, writer.WS(), scene.faces, texts); !labelled)
+    if (auto labelled = label(writer, scene.faces, texts); !labelled)
         return labelled;
     nameProduct(model, scene.faces.size() == 1 ? texts.standInFor(scene.faces[0].name) : kOurStepProduct);
     fillHeader(model);

@@ -162,15 +162,15 @@ private:
         std::optional<double> least;
         if (loop.outer == back.outer && count == back.curves.size())
             for (size_t start = 0; start < std::max<size_t>(count, 1); ++start)
-                if (const auto found = curvesDifference(loop, back, start);
-                    found && (!least || *found < *least))
+                if (const auto found = curvesDifference(loop, back, start, least))
                     least = found;
         return least;
     }
 
-    // With curve k of the one beside curve k + start of the other; nothing where those are of another make.
+    // With curve k of the one beside curve k + start of the other; nothing where those are of another make,
+    // or no less than `bound` off: of long loops most beginnings are wrong from the first curve on.
     [[nodiscard]] std::optional<double> curvesDifference(const TrimLoop& loop, const TrimLoop& back,
-                                                         size_t start) const
+                                                         size_t start, std::optional<double> bound) const
     {
         double largest = 0;
         for (size_t k = 0; k < loop.curves.size(); ++k) {
@@ -181,6 +181,8 @@ private:
             largest =
                 std::max({largest, knotDifference(a.knots(), b.knots()),
                           weightDifference(a.points(), b.points()), placeDifference(a.points(), b.points())});
+            if (bound && largest >= *bound)
+                return std::nullopt;
         }
         return largest;
     }

@@ -50,10 +50,6 @@ Result<SceneDifference> writeVerified(const Scene& scene, const std::filesystem:
             back->scene.setUnits(scene.units());
         if (format->holdsMeshes && !haveSameMeshes(scene, back->scene))
             return failure("What was written is read back with other meshes", "Choose another format");
-        if (!format->namesUnits)
-            back->scene.setUnits(scene.units());
-        if (format->holdsMeshes && !haveSameMeshes(scene, back->scene))
-            return failure("What was written is read back with other meshes", "Choose another format");
         return differenceFrom(scene, back->scene).map([&](const SceneDifference& found) {
             difference = found;
         });
