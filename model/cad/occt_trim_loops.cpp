@@ -11,6 +11,7 @@
 #include <glm/geometric.hpp>
 
 #include "model/cad/occt_pcurve.h"
+#include "model/geometry/loop_direction.h"
 
 namespace knotspan::occt {
 namespace {
@@ -68,52 +69,6 @@ Result<void> close(std::vector<TrimCurve>& curves, const Domain& domain)
     return {};
 }
 
-double signedArea(const std::vector<TrimCurve>& curves)
-{
-    constexpr int kSamples = 32;
-    std::vector<Vec2> polygon;
-    for (const TrimCurve& curve : curves) {
-        const double start = curve.knots().domainStart();
-        const double length = curve.knots().domainEnd() - start;
-        const int samples = curve.knots().degree() == 1 && curve.points().size() == 2 ? 1 : kSamples;
-        for (int k = 0; k < samples; ++k)
-            polygon.push_back(curve.evaluate(start + length * k / samples));
-    }
-    double area = 0;
-    for (size_t k = 0; k < polygon.size(); ++k) {
-        const Vec2 a = polygon[k] - polygon[0];
-        const Vec2 b = polygon[(k + 1) % polygon.size()] - polygon[0];
-        area += (a.x * b.y - a.y * b.x) / 2;
-    }
-    return area;
-}
-
-Result<TrimCurve> reversed(const TrimCurve& curve)
-{
-    std::vector<double> knots = curve.knots().values();
-    const double sum = knots.front() + knots.back();
-    std::reverse(knots.begin(), knots.end());
-    for (double& knot : knots)
-        knot = sum - knot;
-    std::vector<TrimPoint> points(curve.points().rbegin(), curve.points().rend());
-    auto knotVector = KnotVector::create(curve.knots().degree(), std::move(knots));
-    if (!knotVector)
-        return tl::unexpected(knotVector.error());
-    return TrimCurve::create(std::move(*knotVector), std::move(points));
-}
-
-Result<void> turnRound(std::vector<TrimCurve>& curves)
-{
-    std::reverse(curves.begin(), curves.end());
-    for (TrimCurve& curve : curves) {
-        auto turned = reversed(curve);
-        if (!turned)
-            return tl::unexpected(turned.error());
-        curve = std::move(*turned);
-    }
-    return {};
-}
-
 // Whether a curve lies on one of the four sides of the domain, but for what exporters lose.
 bool onASide(const TrimCurve& curve, const Domain& domain)
 {
@@ -146,7 +101,7 @@ Result<std::vector<TrimCurve>> curvesOf(const TopoDS_Wire& wire, const TopoDS_Fa
 }
 
 // The largest loop is the outer one and runs anticlockwise, the holes clockwise.
-Result<std::vector<TrimLoop>> sorted(std::vector<std::vector<TrimCurve>> chains)
+std::vector<TrimLoop> sorted(std::vector<std::vector<TrimCurve>> chains)
 {
     std::stable_sort(chains.begin(), chains.end(), [](const auto& a, const auto& b) {
         return std::abs(signedArea(a)) > std::abs(signedArea(b));
@@ -155,8 +110,7 @@ Result<std::vector<TrimLoop>> sorted(std::vector<std::vector<TrimCurve>> chains)
     for (std::vector<TrimCurve>& chain : chains) {
         const bool outer = loops.empty();
         if ((signedArea(chain) > 0) != outer)
-            if (auto turned = turnRound(chain); !turned)
-                return tl::unexpected(turned.error());
+            chain = turnedRound(chain);
         loops.push_back({outer, std::move(chain)});
     }
     return loops;

@@ -3,6 +3,7 @@
 
 #include "model/files/base64.h"
 #include "model/formats/knotspan_json.h"
+#include "model/geometry/loop_direction.h"
 
 namespace knotspan::formats {
 
@@ -135,7 +136,7 @@ std::vector<TrimLoop> trimLoopsOf(const Place& place)
         const Place curves = place.element(i).member("curves");
         for (size_t k = 0; k < curves.size(); ++k)
             loop.curves.push_back(trimCurveOf(curves.element(k)));
-        loops.push_back(std::move(loop));
+        loops.push_back(oriented(std::move(loop)));
     }
     return loops;
 }

@@ -13,7 +13,7 @@ constexpr double kSpokenShare = 1e-4;
 constexpr size_t kNamed = 3;
 
 // In the order of the sentences.
-enum class Kind { open, crossing, gaps, empty, beyond };
+enum class Kind { open, crossing, around, outside, twice, gaps, empty, beyond };
 
 struct Some {
     std::vector<std::string> names;  // of the surfaces, each once
@@ -42,17 +42,36 @@ void add(Found& found, const LoopFinding& finding, const std::string& name)
     case LoopTrouble::empty:
     case LoopTrouble::enclosesNothing:
         return add(found, Kind::empty, name, 0);
+    case LoopTrouble::twice:
+        return add(found, Kind::twice, name, 0);
+    case LoopTrouble::holeAround:
+        return add(found, Kind::around, name, 0);
+    case LoopTrouble::holeOutside:
+        return add(found, Kind::outside, name, 0);
     case LoopTrouble::wrongWay:
     case LoopTrouble::acrossSeam:
         return;
     }
 }
 
-std::string percent(double share)
+// What to do where what is shown is not what was meant.
+std::string nextStep(Kind kind)
 {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.2g %%", 100 * share);
-    return text;
+    switch (kind) {
+    case Kind::open:
+    case Kind::crossing:
+        return " Mend them in the program that made the file, or untrim and trim anew here.";
+    case Kind::around:
+    case Kind::outside:
+    case Kind::twice:
+        return " If that is not meant, mend it in the program that made the file, or use Fill holes or "
+               "Untrim.";
+    case Kind::gaps:
+    case Kind::empty:
+    case Kind::beyond:
+        return {};
+    }
+    return {};
 }
 
 std::string sentenceOf(Kind kind, const Some& some)
@@ -64,18 +83,24 @@ std::string sentenceOf(Kind kind, const Some& some)
     const auto what = [&]() -> std::string {
         switch (kind) {
         case Kind::open:
-            return has + "trim loops that do not close (by up to " + percent(some.share) +
-                   " of the surface) and" + is + "shown whole";
+            return has + "trim loops that do not close (by up to " + spoken(some.share) + ") and" + is +
+                   "shown whole";
         case Kind::crossing:
-            return has + "trim loops that cross";
+            return has + "trim loops that cross; what lies in two of them, or twice in one, is cut out, the "
+                         "rest is shown";
+        case Kind::around:
+            return has + "a hole around the outline; shown is what lies between the two";
+        case Kind::outside:
+            return has + "a hole outside of the outline; shown is what it encloses, too";
+        case Kind::twice:
+            return has + "the same trim loop twice; the two cancel each other, and neither is shown";
         case Kind::gaps:
-            return has + "trim loops with gaps of up to " + percent(some.share) +
-                   " of the surface, closed by lines";
+            return has + "trim loops with gaps of up to " + spoken(some.share) + ", closed by lines";
         case Kind::empty:
-            return has + "trim loops that enclose nothing";
+            return has + "trim loops that enclose nothing and change nothing";
         case Kind::beyond:
-            return has + "trim loops that reach up to " + percent(some.share) +
-                   " of the surface beyond it, and end at its border";
+            return has + "trim loops that reach up to " + spoken(some.share) +
+                   " beyond it, and end at its border";
         }
         return {};
     };
@@ -84,7 +109,7 @@ std::string sentenceOf(Kind kind, const Some& some)
         names += (k == 0 ? "" : ", ") + some.names[k];
     if (some.names.size() > kNamed)
         names += " and " + std::to_string(some.names.size() - kNamed) + " more";
-    return who + what() + ": " + names + ".";
+    return who + what() + ": " + names + "." + nextStep(kind);
 }
 
 }  // namespace

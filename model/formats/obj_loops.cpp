@@ -4,53 +4,11 @@
 #include "model/core/check.h"
 #include "model/formats/obj_elements.h"
 #include "model/formats/obj_range.h"
+#include "model/geometry/loop_direction.h"
 
 namespace knotspan::formats {
 
 namespace {
-
-// Only its sign is used.
-double signedArea(const TrimLoop& loop)
-{
-    std::vector<Vec2> polygon;
-    for (const TrimCurve& curve : loop.curves) {
-        const KnotVector& knots = curve.knots();
-        // Few a span where there are many: a small file may use a long curve again and again.
-        const int samples =
-            knots.degree() == 1 ? 1 : std::clamp(256 / static_cast<int>(knots.spans().size()), 1, 16);
-        for (const int span : knots.spans())
-            for (int k = 0; k < samples; ++k)
-                polygon.push_back(
-                    curve.evaluate(knots[span] + (knots[span + 1] - knots[span]) * k / samples));
-    }
-    double area = 0;
-    for (size_t k = 0; k < polygon.size(); ++k) {
-        const Vec2 a = polygon[k] - polygon[0];
-        const Vec2 b = polygon[(k + 1) % polygon.size()] - polygon[0];
-        area += (a.x * b.y - a.y * b.x) / 2;
-    }
-    return area;
-}
-
-// The parameter becomes its negative: nothing is rounded.
-TrimCurve reversed(const TrimCurve& curve)
-{
-    std::vector<double> values(curve.knots().values().rbegin(), curve.knots().values().rend());
-    for (double& value : values)
-        value = 0.0 - value;
-    auto knots = KnotVector::create(curve.knots().degree(), std::move(values));
-    check(knots.has_value(), "knots turned round are valid");
-    auto result = TrimCurve::create(*std::move(knots), {curve.points().rbegin(), curve.points().rend()});
-    check(result.has_value(), "points in the other order are valid");
-    return *std::move(result);
-}
-
-void turnRound(TrimLoop& loop)
-{
-    std::reverse(loop.curves.begin(), loop.curves.end());
-    for (TrimCurve& curve : loop.curves)
-        curve = reversed(curve);
-}
 
 TrimLoop borderOf(const NurbsSurface& surface)
 {
@@ -74,7 +32,9 @@ Result<TrimCurve> curveOf(const ObjTrim& trim, const TrimCurve& curve)
         rangeIn(curve.knots(), {std::min(trim.start, trim.end), std::max(trim.start, trim.end)});
     if (!range)
         return tl::unexpected(range.error());
-    return partOf(curve, *range).map([&](TrimCurve&& part) { return backwards ? reversed(part) : part; });
+    return partOf(curve, *range).map([&](TrimCurve&& part) {
+        return backwards ? turnedRound({part}).front() : part;
+    });
 }
 
 Result<TrimLoop> loopOf(const ObjLoop& loop, const std::vector<Result<TrimCurve>>& curves)
@@ -90,9 +50,9 @@ Result<TrimLoop> loopOf(const ObjLoop& loop, const std::vector<Result<TrimCurve>
             return failure(name + ": " + part.error().what);
         result.curves.push_back(*std::move(part));
     }
-    const double area = signedArea(result);
+    const double area = signedArea(result.curves);
     if (loop.outer ? area < 0 : area > 0)
-        turnRound(result);
+        result.curves = turnedRound(result.curves);
     return result;
 }
 

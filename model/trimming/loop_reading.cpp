@@ -10,6 +10,7 @@
 #include <glm/vector_relational.hpp>
 
 #include "model/trimming/loop_chains.h"
+#include "model/trimming/loop_nesting.h"
 
 namespace knotspan {
 
@@ -19,6 +20,7 @@ constexpr double kWidestGap = 5e-3;     // of the domain
 constexpr double kSilentGap = 1e-6;     // below, a gap is rounding, and not spoken of
 constexpr double kSilentBeyond = 1e-6;  // the same of what reaches out of the domain
 constexpr double kMostPeriods = 3;
+constexpr double kNothing = 1e-12;  // of the domain's area
 
 // Of the curves themselves: control points may stand out far beyond.
 struct Extent {
@@ -65,13 +67,6 @@ private:
     }
 };
 
-std::string percent(double share)
-{
-    char text[32];
-    std::snprintf(text, sizeof text, "%.2g %%", 100 * share);
-    return text;
-}
-
 class Reading {
 public:
     explicit Reading(const NurbsSurface& surface)
@@ -92,10 +87,13 @@ public:
             return;
         if (!wraps_) {
             const double area = signedArea(chain) / (size_.x * size_.y);
-            if (std::abs(area) < 1e-12)
+            if (std::abs(area) >= kNothing) {
+                if ((area > 0) != loop.outer)
+                    say(LoopTrouble::wrongWay);
+            } else if (evenOddArea(chain) / (size_.x * size_.y) < kNothing) {
                 say(LoopTrouble::enclosesNothing);
-            else if ((area > 0) != loop.outer)
-                say(LoopTrouble::wrongWay);
+            }
+            nesting_.add(chain, number, loop.outer);
         }
         place(std::move(chain));
     }
@@ -106,6 +104,9 @@ public:
         reading_.startsInside = lowestWrap_ ? lowestWrap_->second : !anyOuter;
         if (reading_.refused)
             reading_.chains.clear();
+        else if (!lowestWrap_ && !crossesSeam_)  // else a period decides what lies in what
+            for (const LoopFinding& finding : nesting_.findings())
+                reading_.findings.push_back(finding);
         return std::move(reading_);
     }
 
@@ -210,6 +211,7 @@ private:
                 continue;
             }
             say(LoopTrouble::acrossSeam);
+            crossesSeam_ = true;
             first[axis] = -std::min(kMostPeriods, std::ceil(std::max(0.0, above)));
             last[axis] = std::min(kMostPeriods, std::ceil(std::max(0.0, below)));
         }
@@ -230,10 +232,25 @@ private:
     std::uint32_t loop_ = 0;
     double widest_ = 0;
     bool wraps_ = false;
+    bool crossesSeam_ = false;
+    LoopNesting nesting_;
     std::optional<std::pair<double, bool>> lowestWrap_;  // where, and whether the face lies below
 };
 
 }  // namespace
+
+std::string spoken(double share)
+{
+    constexpr double kUncounted = 99;
+    if (!(share < kUncounted))
+        return "far more than the surface's size";
+    if (share >= 0.995 && share < 1.05)
+        return "about the surface's size";
+    char text[64];
+    std::snprintf(text, sizeof text, share < 1 ? "%.2g %% of the surface" : "%.2g times the surface's size",
+                  share < 1 ? 100 * share : share);
+    return text;
+}
 
 std::string sentenceOf(const LoopFinding& finding)
 {
@@ -242,18 +259,23 @@ std::string sentenceOf(const LoopFinding& finding)
         case LoopTrouble::empty:
             return "has no curves and is left out";
         case LoopTrouble::open:
-            return "is open by " + percent(finding.share) + " of the domain; the surface is drawn untrimmed";
+            return "is open by " + spoken(finding.share) + "; the surface is shown whole";
         case LoopTrouble::gaps:
-            return "had gaps of up to " + percent(finding.share) + " of the domain, closed by lines";
+            return "had gaps of up to " + spoken(finding.share) + ", closed by lines";
         case LoopTrouble::enclosesNothing:
             return "encloses nothing";
         case LoopTrouble::wrongWay:
             return "runs the wrong way round, which does not matter for what it encloses";
         case LoopTrouble::beyond:
-            return "reaches beyond the surface by " + percent(finding.share) +
-                   " of the domain and is cut off there";
+            return "reaches beyond the surface by " + spoken(finding.share) + " and is cut off there";
         case LoopTrouble::acrossSeam:
             return "crosses the seam and goes on at its other side";
+        case LoopTrouble::twice:
+            return "is there twice; the two cancel each other, and neither is shown";
+        case LoopTrouble::holeAround:
+            return "is a hole around an outline; shown is what lies between them";
+        case LoopTrouble::holeOutside:
+            return "is a hole outside of all outlines; what it encloses is shown";
         }
         return {};
     };

@@ -33,6 +33,9 @@ enum class LoopTrouble {
     wrongWay,         // kept: even-odd does not ask
     beyond,           // cut off at the domain
     acrossSeam,       // goes on at the other side: nothing wrong
+    twice,            // the same loop is there already: the two cancel each other
+    holeAround,       // an outline: what lies between them is inside
+    holeOutside,      // of all outlines: what it encloses is inside
 };
 struct LoopFinding {
     std::uint32_t loop = 0;  // of the object's
@@ -40,6 +43,8 @@ struct LoopFinding {
     double share = 0;  // of the domain: how wide, how far; 0 where that means nothing
 };
 [[nodiscard]] std::string sentenceOf(const LoopFinding& finding);
+// A share of the domain in words: "15 % of the surface", "1.5 times the surface's size".
+[[nodiscard]] std::string spoken(double share);
 
 struct LoopReading {
     std::vector<LoopChain> chains;

@@ -23,8 +23,10 @@ TrimRegion::TrimRegion(const std::vector<TrimLoop>& loops, const NurbsSurface& s
 std::vector<std::string> TrimRegion::report() const
 {
     std::vector<std::string> sentences;
-    for (const LoopFinding& finding : findings_)
-        sentences.push_back(sentenceOf(finding));
+    for (const bool refuses : {true, false})
+        for (const LoopFinding& finding : findings_)
+            if ((finding.trouble == LoopTrouble::open) == refuses)
+                sentences.push_back(sentenceOf(finding));
     return sentences;
 }
 

@@ -28,7 +28,7 @@ public:
 
     // Whether there is anything to ask: else all is inside.
     [[nodiscard]] bool isTrimmed() const { return trimmed_; }
-    // What was wrong and what was done about it; and as sentences.
+    // What was wrong and what was done about it; and as sentences, what had loops refused first.
     [[nodiscard]] const std::vector<LoopFinding>& findings() const { return findings_; }
     [[nodiscard]] std::vector<std::string> report() const;
     // Closed chains of pieces, cut off at the domain's border. Along it they run as lines.

@@ -181,6 +181,7 @@ TEST(TrimRegion, ALoopThatCrossesItselfEnclosesBothLobes)
     const Counts counts = compare(loops, flatSurface(), 1e-6);
     expectRight(counts, "eight");
     EXPECT_GT(counts.inside, 100);
+    EXPECT_EQ(TrimRegion(loops, flatSurface()).report(), std::vector<std::string>()) << "it encloses something";
     EXPECT_EQ(crossingsOf(TrimRegion(loops, flatSurface())),
               std::vector<std::string>{"Trim loop 1 crosses itself."});
 }
@@ -282,6 +283,15 @@ TEST(TrimRegion, AnOpenLoopIsRefusedAndSaid)
     EXPECT_TRUE(region.contains(-1, 10));
     ASSERT_EQ(region.report().size(), 1U);
     EXPECT_NE(region.report()[0].find("is open by"), std::string::npos) << region.report()[0];
+}
+
+TEST(TrimRegion, WhatHadTheLoopsRefusedIsSaidFirst)
+{
+    const TrimRegion region({{true, {circle({-0.9, 11}, 0.7)}}, {true, {polyline({{0, 10.5}, {2, 10.5}})}}},
+                            flatSurface());
+    ASSERT_EQ(region.report().size(), 2U);
+    EXPECT_NE(region.report()[0].find("Trim loop 2 is open by"), std::string::npos) << region.report()[0];
+    EXPECT_NE(region.report()[1].find("reaches beyond"), std::string::npos) << region.report()[1];
 }
 
 TEST(TrimRegion, ASmallGapIsClosedByALineAndSaid)
