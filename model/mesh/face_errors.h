@@ -7,7 +7,7 @@
 #pragma once
 
 #include "model/mesh/cell_counts.h"
-#include "model/mesh/face_outline.h"
+#include "model/trimming/face_outline.h"
 
 namespace knotspan {
 

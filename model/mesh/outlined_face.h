@@ -5,7 +5,7 @@
 
 #include "model/analysis/border_curves.h"
 #include "model/geometry/grid_evaluation.h"
-#include "model/mesh/face_outline.h"
+#include "model/trimming/face_outline.h"
 
 namespace knotspan {
 

@@ -1,4 +1,4 @@
-#include "model/mesh/face_outline.h"
+#include "model/trimming/face_outline.h"
 
 #include <algorithm>
 #include <cmath>
