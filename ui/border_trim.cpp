@@ -24,11 +24,14 @@ Result<Chosen> chosenBy(const Selection& selection, const Scene& scene)
         return failure("One more surface is needed",
                        "Select the surfaces whose borders cut, and last the one that is to be trimmed");
     if (!selection.latest())
-        return failure("Several surfaces were selected at once, so that it is not known which one to trim",
-                       "Select the one that is to be trimmed last: Shift adds it to the others");
+        return failure(
+            "Several surfaces were selected at once, so that it is not known which one to trim",
+            "Add the one that is to be trimmed last: Shift and a click, in the list Ctrl and a click");
     Chosen chosen{*selection.latest(), scene.find(*selection.latest()), {}};
     if (!chosen.face || chosen.face->locked)
         return failure("The surface that was selected last is gone or locked", "Select another");
+    if (!chosen.face->visible)
+        return failure("The surface that was selected last is hidden", "Show it, or select another");
     for (const ObjectId id : selection.objects())
         if (const SharedObject cutter = id != chosen.id ? scene.find(id) : nullptr)
             chosen.cutters.push_back(cutter);
@@ -40,11 +43,13 @@ struct Trimmed {
     double error = 0;
 };
 
-// By each in turn. What cannot be used is named, where there is a choice.
+// Without the borders' insides, of one after the other; or what is inside any of them. What cannot be used is
+// named, where there is a choice.
 Result<Trimmed> trimmed(const Chosen& chosen, const Sight& sight, double tolerance, KeptSide side)
 {
     Trimmed result{*chosen.face, 0};
     SceneObject& face = result.face;
+    std::vector<std::vector<TrimLoop>> parts;
     for (const SharedObject& cutter : chosen.cutters) {
         auto trim =
             trimmedByBorder({face.surface, face.transform, face.trimLoops},
@@ -55,24 +60,35 @@ Result<Trimmed> trimmed(const Chosen& chosen, const Sight& sight, double toleran
                 error.what = cutter->name + ": " + error.what;
             return tl::unexpected(std::move(error));
         }
-        face.trimLoops = std::move(trim->loops);
         result.error = std::max(result.error, trim->error);
+        if (side == KeptSide::inside)
+            parts.push_back(std::move(trim->loops));
+        else
+            face.trimLoops = std::move(trim->loops);
     }
+    if (side == KeptSide::outside)
+        return result;
+    auto joined = joinedParts(parts, face.surface);
+    if (!joined)
+        return tl::unexpected(joined.error());
+    face.trimLoops = *std::move(joined);
     return result;
 }
 
-QString report(double error, const std::string& units, KeptSide side)
+QString report(const Trimmed& trimmed, const std::string& units, KeptSide side)
 {
-    const QString off = QString::number(error, 'g', 2) + ' ' + QString::fromStdString(units);
-    return side == KeptSide::outside
-               ? MainWindow::tr(
-                     "What lies outside the borders is left, to within %1. For the inside undo this and take "
-                     "Edit > Keep inside selected")
-                     .arg(off)
-               : MainWindow::tr(
-                     "What lies inside the borders is left, to within %1. For the outside undo this and take "
-                     "Edit > Trim by selected")
-                     .arg(off);
+    const SceneObject& face = trimmed.face;
+    const QString name =
+        face.name.empty() ? MainWindow::tr("The surface") : QString::fromStdString(face.name);
+    const QString nearness = nearnessText(trimmed.error, face, units);
+    return side == KeptSide::outside ? MainWindow::tr("%1 lost what lies inside the borders, %2; turn the "
+                                                      "view where they hide it. The other way "
+                                                      "round: undo, Edit > Keep inside selected")
+                                           .arg(name, nearness)
+                                     : MainWindow::tr("%1 kept only what lies inside the borders, %2; turn "
+                                                      "the view where they hide it. The other "
+                                                      "way round: undo, Edit > Trim by selected")
+                                           .arg(name, nearness);
 }
 
 }  // namespace
@@ -95,9 +111,10 @@ void trimBySelected(MainWindow& window, KeptSide side)
         return;
     }
     Edit edit;
-    edit.set(chosen->id, std::make_shared<SceneObject>(std::move(result->face)));
-    document.apply(edit, MainWindow::tr("Trim by selected"));
-    window.statusBar()->showMessage(report(result->error, document.scene().units(), side));
+    edit.set(chosen->id, std::make_shared<SceneObject>(result->face));
+    document.apply(edit, side == KeptSide::outside ? MainWindow::tr("Trim by selected")
+                                                   : MainWindow::tr("Keep inside selected"));
+    window.statusBar()->showMessage(report(*result, document.scene().units(), side));
 }
 
 }  // namespace knotspan

@@ -19,6 +19,13 @@ void takeBack(Window& window)
 {
     if (!window.viewport().cancelDrag())
         window.document().undo();
+    window.statusBar()->clearMessage();  // it may have told of that step
+}
+
+void doAgain(Window& window)
+{
+    window.document().redo();
+    window.statusBar()->clearMessage();
 }
 
 void escape(Window& window)
@@ -119,15 +126,6 @@ void refineSurface(Window& window)
                             [&] { return new RefineDialog(window.document(), window.selection(), &window); });
 }
 
-bool hasTrimmed(Window& window)
-{
-    const std::set<ObjectId>& chosen = window.selection().objects();
-    return std::any_of(chosen.begin(), chosen.end(), [&](ObjectId id) {
-        const SharedObject object = window.document().scene().find(id);
-        return object && !object->locked && !object->trimLoops.empty();
-    });
-}
-
 // Other loops for the selected surfaces, as one step.
 template <class Loops>
 void changeLoops(Window& window, const QString& step, const QString& whyNot, const Loops& loopsOf)
@@ -151,13 +149,15 @@ void changeLoops(Window& window, const QString& step, const QString& whyNot, con
 
 void untrim(Window& window)
 {
-    changeLoops(window, MainWindow::tr("Untrim"), MainWindow::tr("Nothing that is selected is trimmed"),
+    changeLoops(window, MainWindow::tr("Untrim"),
+                MainWindow::tr("Nothing that is selected is trimmed: select surfaces that are"),
                 [](const SceneObject&) { return std::vector<TrimLoop>(); });
 }
 
 void fillHoles(Window& window)
 {
-    changeLoops(window, MainWindow::tr("Fill holes"), MainWindow::tr("The selected surfaces have no holes"),
+    changeLoops(window, MainWindow::tr("Fill holes"),
+                MainWindow::tr("Nothing that is selected has holes: select trimmed surfaces"),
                 [](const SceneObject& object) { return withoutHoles(object.trimLoops, object.surface); });
 }
 
@@ -178,7 +178,7 @@ const std::vector<ActionInfo>& editActions()
          .text = TEXT("&Redo"),
          .shortcuts = {QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")},
          .tip = TEXT("Do the step again that was taken back"),
-         .run = [](Window& w, bool) { w.document().redo(); },
+         .run = [](Window& w, bool) { doAgain(w); },
          .isEnabled = [](Window& w) { return w.document().canRedo(); },
          .step = [](Window& w) { return w.document().redoText(); }},
         {.id = "edit.selectAll",
@@ -225,30 +225,26 @@ const std::vector<ActionInfo>& editActions()
          .shortcuts = {QKeySequence("Shift+U")},
          .tip = TEXT("Show the selected surfaces whole: all of their trim loops go"),
          .run = [](Window& w, bool) { untrim(w); },
-         .isEnabled = hasTrimmed,
          .separated = true},
         {.id = "edit.fillHoles",
          .text = TEXT("F&ill holes"),
          .shortcuts = {},
          .tip = TEXT("Take the holes out of the selected trimmed surfaces; their outlines stay"),
-         .run = [](Window& w, bool) { fillHoles(w); },
-         .isEnabled = hasTrimmed},
+         .run = [](Window& w, bool) { fillHoles(w); }},
         {.id = "edit.trimBySelected",
          .text = TEXT("&Trim by selected"),
          .shortcuts = {QKeySequence("Ctrl+Shift+T")},
          .tip = TEXT(
              "Cut holes into the surface selected last, where the borders of the other selected ones lie "
              "over it in the view"),
-         .run = [](Window& w, bool) { trimBySelected(w, KeptSide::outside); },
-         .isEnabled = hasSelection},
+         .run = [](Window& w, bool) { trimBySelected(w, KeptSide::outside); }},
         {.id = "edit.keepInsideSelected",
          .text = TEXT("Keep in&side selected"),
          .shortcuts = {},
          .tip = TEXT(
-             "Trim the surface selected last to what lies inside the borders of the other selected ones, "
-             "as seen in the view"),
-         .run = [](Window& w, bool) { trimBySelected(w, KeptSide::inside); },
-         .isEnabled = hasSelection},
+             "Trim the surface selected last to what lies inside the border of any of the other selected "
+             "ones, as seen in the view"),
+         .run = [](Window& w, bool) { trimBySelected(w, KeptSide::inside); }},
     };
     return kList;
 }

@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
 
+#include "model/trimming/loop_crossings.h"
 #include "model/trimming/projected_sheet.h"
 #include "model/trimming/trim_region.h"
 
@@ -14,6 +15,7 @@ namespace knotspan {
 namespace {
 
 constexpr int kCellsPerSpan = 6;
+constexpr double kNoSpecialPlace = 0.4142;  // of a curve
 constexpr size_t kStarts = 64;  // places of a border to begin at that are looked at, or one for each piece
 
 // Where points of the picture lie on a face: searched from every cell that may be there.
@@ -167,6 +169,7 @@ Result<BorderTrim> trimmedByBorder(const PlacedFace& face, const PlacedFace& cut
         return tl::unexpected(borders.error());
     const SeenFace seen(face, sight);
     BorderTrim result{face.loops, 0};
+    std::vector<std::vector<TrimLoop>> parts;
     for (const PlaneCurve& border : *borders) {
         const auto start = startOn(seen, border);
         if (!start)
@@ -177,13 +180,48 @@ Result<BorderTrim> trimmedByBorder(const PlacedFace& face, const PlacedFace& cut
         if (!curve)
             return failure("The border comes to where the surface is seen edge-on or turns away",
                            "Turn the view so that the surface faces you where the border lies over it");
-        auto loops = trimmedBy(curve->curves, result.loops, face.surface, side);
+        const bool isInside = side == KeptSide::inside;
+        auto loops = trimmedBy(curve->curves, isInside ? face.loops : result.loops, face.surface, side);
         if (!loops)
             return tl::unexpected(loops.error());
-        result.loops = *std::move(loops);
+        if (isInside)
+            parts.push_back(*std::move(loops));
+        else
+            result.loops = *std::move(loops);
         result.error = std::max(result.error, curve->error);
     }
+    if (parts.empty())
+        return result;
+    auto joined = joinedParts(parts, face.surface);
+    if (!joined)
+        return tl::unexpected(joined.error());
+    result.loops = *std::move(joined);
     return result;
+}
+
+Result<std::vector<TrimLoop>> joinedParts(const std::vector<std::vector<TrimLoop>>& parts,
+                                          const NurbsSurface& surface)
+{
+    std::vector<TrimLoop> all;
+    for (const std::vector<TrimLoop>& part : parts)
+        all.insert(all.end(), part.begin(), part.end());
+    if (parts.size() < 2)
+        return all;
+    bool overlap = !crossingsOf(TrimRegion(all, surface)).empty();
+    for (const std::vector<TrimLoop>& part : parts) {
+        const TrimRegion region(part, surface);
+        for (const std::vector<TrimLoop>& other : parts)
+            if (&other != &part && !other.empty() && !other.front().curves.empty()) {
+                const TrimCurve& curve = other.front().curves.front();
+                const Vec2 at = curve.evaluate(
+                    std::lerp(curve.knots().domainStart(), curve.knots().domainEnd(), kNoSpecialPlace));
+                overlap = overlap || region.contains(at.x, at.y);
+            }
+    }
+    if (overlap)
+        return failure("The borders overlap each other on the surface",
+                       "Take one of them; for what several share keep the inside of one after the other");
+    return all;
 }
 
 }  // namespace knotspan

@@ -114,6 +114,23 @@ TEST_F(BorderTrimTest, WhatLiesInsideCanStay)
     EXPECT_TRUE(scene() == start);
 }
 
+// As Trim by selected takes away what is inside any of them.
+TEST_F(BorderTrimTest, WhatLiesInsideAnyOfSeveralCanStay)
+{
+    select({disc, other, ground});
+    act("edit.keepInsideSelected");
+    EXPECT_EQ(steps(), begun + 1) << said();
+    EXPECT_EQ(wrongPlaces([](const Vec2& at) { return !isInDisc(at) && !isInOther(at); }), 0);
+    act("edit.undo");
+    Edit edit;
+    edit.set(other, object("other", cone({0, 0, 2}, 0.5, 0, 0)));  // now it reaches into the disc
+    window->document().apply(edit, "Move");
+    const Scene before = scene();
+    act("edit.keepInsideSelected");
+    EXPECT_TRUE(says("overlap")) << said();
+    EXPECT_TRUE(scene() == before);
+}
+
 // The hole is where the picture has the disc, and with perspective too.
 TEST_F(BorderTrimTest, TheHoleIsWhatTheDiscHides)
 {
@@ -166,7 +183,8 @@ TEST_F(BorderTrimTest, SaysWhyNotAndChangesNothing)
         EXPECT_TRUE(scene() == start);
         EXPECT_EQ(steps(), begun);
     };
-    EXPECT_FALSE(window->action("edit.trimBySelected")->isEnabled());
+    window->selection().clear();
+    refused("One more surface");
     select({ground});
     refused("One more surface");
     window->selection().clear();
@@ -183,6 +201,32 @@ TEST_F(BorderTrimTest, SaysWhyNotAndChangesNothing)
     select({disc, other, ground});
     window->selection().setObjects({disc, other});
     refused("at once");
+}
+
+TEST_F(BorderTrimTest, WhatIsHiddenIsNotTrimmed)
+{
+    SceneObject hidden = *scene().find(ground);
+    hidden.visible = false;
+    Edit edit;
+    edit.set(ground, std::make_shared<SceneObject>(hidden));
+    window->document().apply(edit, "Hide");
+    const Scene before = scene();
+    select({disc, ground});
+    act("edit.trimBySelected");
+    EXPECT_TRUE(says("hidden")) << said();
+    EXPECT_TRUE(scene() == before);
+}
+
+// What was said of a step is not true any more where it is taken back.
+TEST_F(BorderTrimTest, UndoTakesTheMessageBack)
+{
+    select({disc, ground});
+    act("edit.trimBySelected");
+    EXPECT_TRUE(says("ground")) << said();
+    act("edit.undo");
+    EXPECT_EQ(said(), "");
+    act("edit.trimBySelected");
+    EXPECT_TRUE(says("ground")) << said();
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 // pixel.
 #include <glm/geometric.hpp>
 
+#include <QStatusBar>
+
 #include "model/trimming/trim_region.h"
 #include "tests/ui/one_surface_test.h"
 
@@ -196,10 +198,36 @@ TEST_F(TrimToolTest, EscapeBackspaceAndOtherToolsTakeItBack)
     EXPECT_TRUE(scene() == start);
 }
 
-TEST_F(TrimToolTest, WhatIsDrawnShowsAndUntrimNeedsLoops)
+TEST_F(TrimToolTest, UntrimAndFillHolesSayWhatTheyNeed)
 {
-    EXPECT_FALSE(window->action("edit.untrim")->isEnabled());
-    EXPECT_FALSE(window->action("edit.fillHoles")->isEnabled());
+    const Scene before = window->document().scene();
+    window->selection().clear();
+    for (const auto& [name, words] :
+         {std::pair("edit.untrim", "trimmed"), std::pair("edit.fillHoles", "holes")}) {
+        act(name);
+        EXPECT_TRUE(window->statusBar()->currentMessage().contains(words)) << name;
+        EXPECT_TRUE(window->document().scene() == before);
+    }
+}
+
+TEST_F(TrimToolTest, FewerThanThreePointsAreNotClosed)
+{
+    const Scene before = window->document().scene();
+    Hand hand(*window);
+    act("tools.trim");
+    for (int k = 0; k < 2; ++k)
+        hand.click(square(40)[static_cast<size_t>(k)]);
+    hand.key(Qt::Key_Return);
+    EXPECT_TRUE(window->statusBar()->currentMessage().contains("three points"));
+    EXPECT_TRUE(window->document().scene() == before);
+    hand.click(square(40)[2]);
+    hand.key(Qt::Key_Return);
+    hand.key(Qt::Key_Return);
+    EXPECT_FALSE(window->document().scene() == before);
+}
+
+TEST_F(TrimToolTest, WhatIsDrawnShows)
+{
     Hand hand(*window);
     act("tools.trim");
     settle(*window);

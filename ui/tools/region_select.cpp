@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "ui/tools/choosing.h"
+#include "ui/tools/hand_strokes.h"
 #include "ui/tools/steadiness.h"
 
 namespace knotspan {
@@ -10,7 +11,6 @@ namespace knotspan {
 namespace {
 
 constexpr double kLassoStepPx = 2;
-constexpr std::uint32_t kColour = 0xffc861;
 
 // What has points to be taken: shown, and not locked.
 std::set<ObjectId> netsShown(const ToolContext& context)
@@ -29,17 +29,6 @@ std::set<ObjectId> objectsThatShow(const Scene& scene)
         if (object->visible && !object->locked)
             shown.insert(id);
     return shown;
-}
-
-Stroke line(const Vec2& from, const Vec2& to, double pixelRatio, float opacity)
-{
-    const auto width = static_cast<float>(2 * pixelRatio);
-    return {.from = from,
-            .to = to,
-            .colour = kColour,
-            .widthFromPx = width,
-            .widthToPx = width,
-            .opacity = opacity};
 }
 
 }  // namespace
@@ -114,11 +103,8 @@ void RegionSelect::show(const ToolContext& context, Overlays& overlays) const
         const Vec2 b = corners_.back();
         outline = {a, {b.x, a.y}, b, {a.x, b.y}};
     }
-    for (size_t k = 0; k + 1 < outline.size(); ++k)
-        overlays.strokes.push_back(line(outline[k], outline[k + 1], context.pixelRatio, 1));
     // What closes a lasso is not drawn by the hand.
-    overlays.strokes.push_back(
-        line(outline.back(), outline.front(), context.pixelRatio, shape_ == RegionShape::box ? 1 : 0.4F));
+    addClosed(outline, context.pixelRatio, shape_ == RegionShape::box ? 1 : 0.4F, overlays.strokes);
 }
 
 }  // namespace knotspan

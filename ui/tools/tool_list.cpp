@@ -60,8 +60,7 @@ const std::vector<ToolInfo>& tools()
          []() -> std::unique_ptr<Tool> { return std::make_unique<ProbeTool>(); }},
         {"trim", TEXT("&Trim"), "Shift+T",
          TEXT("Draw a closed curve over a surface and keep what lies inside or outside"),
-         TEXT("Click points of a curve over a surface; the first point, a double click or Enter closes it. S "
-              "makes it straight or smooth, Backspace takes a point back."),
+         TEXT("Click points around what is to be cut; Enter closes the curve. S: straight or smooth."),
          []() -> std::unique_ptr<Tool> { return std::make_unique<TrimTool>(); }, true},
     };
     return kTools;

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kCoarsest = 1e-4;  // of the surface's size: no curve is further off
 constexpr double kFinest = 1e-7;    // nor finer than that
+constexpr double kRounding = 1e-12;
 
 }  // namespace
 
@@ -38,6 +39,13 @@ double trimTolerance(const ToolSettings& settings, const SceneObject& object)
 {
     const double size = object.bounds().diagonal();
     return std::clamp(settings.friends.gap, kFinest * size, kCoarsest * size);
+}
+
+QString nearnessText(double error, const SceneObject& object, const std::string& units)
+{
+    if (error <= kRounding * object.bounds().diagonal())
+        return QObject::tr("exactly");
+    return QObject::tr("to within %1 %2").arg(QString::number(error, 'g', 2), QString::fromStdString(units));
 }
 
 }  // namespace knotspan

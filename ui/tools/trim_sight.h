@@ -14,4 +14,7 @@ namespace knotspan {
 // surface's size.
 [[nodiscard]] double trimTolerance(const ToolSettings& settings, const SceneObject& object);
 
+// "exactly" or "to within 0.0012 mm": how near a projected curve is. What rounding leaves counts as exact.
+[[nodiscard]] QString nearnessText(double error, const SceneObject& object, const std::string& units);
+
 }  // namespace knotspan

@@ -7,6 +7,7 @@
 
 #include "model/sculpting/screen_selection.h"
 #include "model/sculpting/surface_snapping.h"
+#include "ui/tools/hand_strokes.h"
 #include "ui/tools/steadiness.h"
 #include "ui/tools/trim_sight.h"
 
@@ -17,18 +18,6 @@ namespace {
 constexpr size_t kFewest = 3;
 constexpr double kClosingPx = 9;  // so near to the first point a click closes
 constexpr int kStrokesPerPart = 12;
-constexpr std::uint32_t kColour = 0xffc861;
-
-Stroke line(const ToolContext& context, const Vec2& from, const Vec2& to, float opacity)
-{
-    const auto width = static_cast<float>(2 * context.pixelRatio);
-    return {.from = from,
-            .to = to,
-            .colour = kColour,
-            .widthFromPx = width,
-            .widthToPx = width,
-            .opacity = opacity};
-}
 
 }  // namespace
 
@@ -226,8 +215,10 @@ Result<TrimTool::Choice> TrimTool::choiceOf(const ToolContext& context) const
 
 void TrimTool::close(const ToolContext& context)
 {
-    if (corners_.size() < kFewest)
+    if (corners_.size() < kFewest) {
+        context.hint(QObject::tr("A closed curve has three points at least: click on"));
         return;
+    }
     auto choice = choiceOf(context);
     if (!choice) {
         context.hint(QString::fromStdString(choice.error().sentence()));
@@ -256,10 +247,9 @@ void TrimTool::showSide(const ToolContext& context, KeptSide side)
     if (loops)
         context.hint(
             QObject::tr(
-                "Click the side that is to stay; Enter takes what is shown. The curve is within %1 %2 of "
-                "the drawn one")
-                .arg(QString::number(choice_->error, 'g', 2),
-                     QString::fromStdString(context.document.scene().units())));
+                "Click the side that is to stay; Enter takes what is shown, Escape nothing. The curve "
+                "follows the drawn one %1")
+                .arg(nearnessText(choice_->error, *choice_->before, context.document.scene().units())));
     else
         context.hint(QString::fromStdString(loops.error().sentence()));
     context.redraw();
@@ -272,19 +262,17 @@ void TrimTool::show(const ToolContext& context, Overlays& overlays) const
     std::vector<Vec2> points = pixels();
     if (!choice_)
         points.push_back(pointer_);
-    points = outline(std::move(points));
-    for (size_t k = 0; k < points.size(); ++k) {
-        const bool closes = !choice_ && !isSmooth_ && k + 1 == points.size();
-        overlays.strokes.push_back(
-            line(context, points[k], points[(k + 1) % points.size()], closes ? 0.4F : 1));
-    }
+    const bool isClosed = choice_ || isSmooth_;
+    addClosed(outline(std::move(points)), context.pixelRatio, isClosed ? 1 : 0.4F, overlays.strokes);
     if (choice_)
         return;
     const double half = 3 * context.pixelRatio;
     for (const Corner& corner : corners_)
-        for (const double sign : {-1.0, 1.0})
-            overlays.strokes.push_back(line(context, corner.pixel - Vec2(half, sign * half),
-                                            corner.pixel + Vec2(half, sign * half), 1));
+        for (const double sign : {-1.0, 1.0}) {
+            const Vec2 arm(half, sign * half);
+            overlays.strokes.push_back(
+                handStroke(corner.pixel - arm, corner.pixel + arm, context.pixelRatio));
+        }
 }
 
 }  // namespace knotspan

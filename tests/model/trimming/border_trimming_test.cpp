@@ -210,5 +210,31 @@ TEST(BorderTrimmingTest, SaysWhyNot)
     EXPECT_TRUE(has(why(ground, bow, above()), "crosses itself")) << why(ground, bow, above());
 }
 
+// Two islands of one face: what is inside stays in both.
+TEST(BorderTrimmingTest, InsideIsInsideAnyOfTheCuttersBorders)
+{
+    const NurbsSurface ground = flatSurface();
+    const std::vector<TrimLoop> islands{{true, {circle({0, 11}, 0.5)}}, {true, {circle({2, 11.2}, 0.6)}}};
+    const auto rest = trimmedByBorder({ground, kAsItIs, kWhole}, {ground, kAsItIs, islands}, above(), 1e-6,
+                                      KeptSide::inside);
+    ASSERT_TRUE(rest) << rest.error().sentence();
+    ASSERT_EQ(rest->loops.size(), 2U);
+    const TrimRegion region(rest->loops, ground);
+    EXPECT_TRUE(region.contains(0, 11.4) && region.contains(2, 10.7));
+    EXPECT_FALSE(region.contains(1, 11) || region.contains(2.7, 11.2));
+}
+
+TEST(BorderTrimmingTest, PartsThatOverlapAreNotJoined)
+{
+    const NurbsSurface ground = flatSurface();
+    const auto island = [](const Vec2& centre, double radius) {
+        return std::vector<TrimLoop>{{true, {circle(centre, radius)}}};
+    };
+    EXPECT_EQ(joinedParts({island({0, 11}, 0.5), island({1.5, 11}, 0.5)}, ground)->size(), 2U);
+    EXPECT_FALSE(joinedParts({island({0, 11}, 0.5), island({0.6, 11}, 0.5)}, ground));
+    EXPECT_FALSE(joinedParts({island({0, 11}, 0.5), island({0.1, 11}, 0.2)}, ground));
+    EXPECT_FALSE(joinedParts({island({0.1, 11}, 0.2), island({0, 11}, 0.5)}, ground));
+}
+
 }  // namespace
 }  // namespace knotspan::testing
