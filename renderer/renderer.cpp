@@ -108,6 +108,11 @@ Result<void> Renderer::sync(const Scene& scene, Joins joins)
     return guarded([&] { parts_->sync(scene, joins); }, &parts_->deviceLost);
 }
 
+bool Renderer::isPrepared(const Frame& frame) const
+{
+    return parts_->isPrepared(frame);
+}
+
 Result<FrameStats> Renderer::draw(const Frame& frame)
 {
     return guarded([&] { return parts_->draw(frame, false); }, &parts_->deviceLost);

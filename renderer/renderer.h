@@ -132,6 +132,8 @@ public:
     // `kept`: nothing that lay along something else was torn from it or put to it since the last sync, and
     // the borders are not searched. A later sync does it, where it does not say so too.
     [[nodiscard]] Result<void> sync(const Scene& scene, Joins joins = Joins::anew);
+    // Whether a frame like it was drawn: else the driver compiles its stages first, which may take seconds.
+    [[nodiscard]] bool isPrepared(const Frame& frame) const;
     [[nodiscard]] Result<FrameStats> draw(const Frame& frame);
     [[nodiscard]] Result<Picture> capture();
     [[nodiscard]] Result<KsQuadIndices> captureKsQuads();

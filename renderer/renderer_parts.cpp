@@ -99,6 +99,18 @@ SurfacePath& Renderer::Parts::pathFor(PathId id, const PathVariant& variant)
     return *path;
 }
 
+PathVariant Renderer::Parts::variantOf(const Frame& frame, Evaluator evaluator) const
+{
+    const bool cullsDice = pathInfo(frame.path).cullsDice && (frame.culling.bits & CULL_DICE) != 0;
+    return {specializationFor(evaluator), fragmentsFor(frame.shading), cullsDice, scene.isTrimmed()};
+}
+
+bool Renderer::Parts::isPrepared(const Frame& frame) const
+{
+    const Evaluator evaluator = chosenEvaluator(frame.evaluator, largestDegree_, Precision::float32);
+    return paths.count({frame.path, variantOf(frame, evaluator)}) != 0;
+}
+
 void Renderer::Parts::checkFrame(const Frame& frame) const
 {
     const auto most = static_cast<int>(std::min(device.limits().maxImageDimension2D, 16384U));
@@ -158,8 +170,7 @@ FrameStats Renderer::Parts::draw(const Frame& wantedFrame, bool capture)
     const Evaluator evaluator = chosenEvaluator(wish_, largestDegree_, Precision::float32);
     if (!pathInfo(frame.path).cullsDice)
         frame.culling.bits &= ~CULL_DICE;
-    PathVariant variant{specializationFor(evaluator), fragmentsFor(frame.shading),
-                        (frame.culling.bits & CULL_DICE) != 0, scene.isTrimmed()};
+    PathVariant variant = variantOf(frame, evaluator);
     variant.specialization.captures = capture;
     SurfacePath& path = pathFor(frame.path, variant);
     const PathInfo& info = pathInfo(frame.path);

@@ -45,6 +45,7 @@ struct Renderer::Parts {
 
     void sync(const Scene& wanted, Joins joins = Joins::anew);
     FrameStats draw(const Frame& wantedFrame, bool capture);
+    [[nodiscard]] bool isPrepared(const Frame& frame) const;
     [[nodiscard]] std::vector<HeldMemory> memory() const;
     Pick pick(double x, double y, double radiusPx);
     std::vector<CapturedVertex> captureVertices(const Frame& frame);
@@ -96,6 +97,7 @@ private:
     void forgetScene();
     [[nodiscard]] Specialization specializationFor(Evaluator evaluator) const;
     SurfacePath& pathFor(PathId id, const PathVariant& variant);
+    [[nodiscard]] PathVariant variantOf(const Frame& frame, Evaluator evaluator) const;
     void checkFrame(const Frame& frame) const;
     void fitTargets(const Frame& frame);
     void fitSheet(const Frame& frame);

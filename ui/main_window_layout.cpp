@@ -220,6 +220,7 @@ void MainWindow::makeStatusBar()
     statusBar()->addPermanentWidget(frameLine_);
     const auto preparing = [this] {
         frameLine_->setText(tr("Preparing the picture; the first time this can take a while"));
+        statusBar()->repaint();  // no event comes before the picture
     };
     connect(viewport_, &Viewport::preparing, this, preparing);
     connect(viewport_, &Viewport::hint, this, [this](const QString& sentence) {

@@ -86,7 +86,6 @@ void Viewport::restart()
     renderer_.reset();
     drawnPanes_.clear();
     scenePending_ = true;
-    prepared_.clear();
     Result<std::unique_ptr<Renderer>> made = Renderer::create();
     if (!made) {
         showFailure(made.error());

@@ -164,8 +164,7 @@ private:
     QTimer settling_;         // runs while the last picture is looser than asked for
     bool drawPending_ = false;
     bool scenePending_ = true;
-    bool viewPending_ = true;    // look at the whole model as soon as the picture has a size
-    std::set<PathId> prepared_;  // paths that were drawn; the first time a driver compiles their shaders
+    bool viewPending_ = true;  // look at the whole model as soon as the picture has a size
 
     QStackedLayout* layout_ = nullptr;
     QWidget* failurePage_ = nullptr;

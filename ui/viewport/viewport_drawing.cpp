@@ -24,7 +24,7 @@ void Viewport::requestDraw()
         return;
     drawPending_ = true;
     // Before a long wait the rest of the window gets the time to show itself.
-    const bool isPrepared = prepared_.count(frame_.path) != 0;
+    const bool isPrepared = renderer_ && renderer_->isPrepared(frame_);
     QTimer::singleShot(isPrepared ? 0 : kShowWindowMs, this, [this] {
         if (drawPending_)
             drawNow();
@@ -56,9 +56,11 @@ Result<void> Viewport::draw()
         drawnPanes_.clear();
     }
     Frame frame = sharedFrame();
-    const bool isPrepared = !prepared_.insert(frame.path).second;
-    if (!isPrepared)
+    const bool isPrepared = renderer_->isPrepared(frame);
+    if (!isPrepared) {
         QGuiApplication::setOverrideCursor(Qt::WaitCursor);
+        Q_EMIT preparing();
+    }
     if (!mayLoosen()) {
         pace_.rest();
         loosened_ = 0;
