@@ -149,22 +149,7 @@ TEST_P(ConservativeCulling, ChangesNoPixelFromInsideNorOfMirroredOrTurnedBodies)
     }
 }
 
-std::string pathName(const ::testing::TestParamInfo<PathId>& test)
-{
-    std::string name = pathInfo(test.param).name;
-    name.erase(std::remove_if(name.begin(), name.end(), [](char c) { return c == '-'; }), name.end());
-    return name;
-}
-
-std::vector<PathId> allPaths()
-{
-    std::vector<PathId> found;
-    for (const PathInfo& path : paths())
-        found.push_back(path.id);
-    return found;
-}
-
-INSTANTIATE_TEST_SUITE_P(Path, ConservativeCulling, ::testing::ValuesIn(allPaths()), pathName);
+INSTANTIATE_TEST_SUITE_P(Path, ConservativeCulling, ::testing::ValuesIn(allPaths()), pathTestName);
 
 }  // namespace
 }  // namespace knotspan::testing

@@ -293,19 +293,7 @@ TEST_P(Looks, CheckerHasItsSquaresWhereTheParametersHaveThem)
     expectSquares(*renderer, closedPictures().back(), GetParam());
 }
 
-std::vector<PathId> allPaths()
-{
-    std::vector<PathId> ids;
-    for (const PathInfo& path : paths())
-        ids.push_back(path.id);
-    return ids;
-}
-
-INSTANTIATE_TEST_SUITE_P(Every, Looks, ::testing::ValuesIn(allPaths()), [](const auto& tested) {
-    std::string name = pathInfo(tested.param).name;
-    std::replace(name.begin(), name.end(), '-', '_');
-    return name;
-});
+INSTANTIATE_TEST_SUITE_P(Every, Looks, ::testing::ValuesIn(allPaths()), pathTestName);
 
 }  // namespace
 }  // namespace knotspan::testing

@@ -222,22 +222,7 @@ TEST_P(TrimmedPictures, CostNothingWhereLoopsLeaveAll)
     EXPECT_EQ(changedPixels(along.picture, drawn(*renderer, sceneOf(platter({})), frame).picture), 0U);
 }
 
-std::string pathName(const ::testing::TestParamInfo<PathId>& test)
-{
-    std::string name = pathInfo(test.param).name;
-    name.erase(std::remove(name.begin(), name.end(), '-'), name.end());
-    return name;
-}
-
-std::vector<PathId> allPaths()
-{
-    std::vector<PathId> found;
-    for (const PathInfo& path : paths())
-        found.push_back(path.id);
-    return found;
-}
-
-INSTANTIATE_TEST_SUITE_P(Path, TrimmedPictures, ::testing::ValuesIn(allPaths()), pathName);
+INSTANTIATE_TEST_SUITE_P(Path, TrimmedPictures, ::testing::ValuesIn(allPaths()), pathTestName);
 
 }  // namespace
 }  // namespace knotspan::testing

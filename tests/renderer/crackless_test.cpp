@@ -98,12 +98,7 @@ std::vector<PathId> pathsThatKeepTheTolerance()
     return found;
 }
 
-INSTANTIATE_TEST_SUITE_P(Path, Crackless, ::testing::ValuesIn(pathsThatKeepTheTolerance()),
-                         [](const auto& test) {
-                             std::string name = pathInfo(test.param).name;
-                             std::erase(name, '-');
-                             return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Path, Crackless, ::testing::ValuesIn(pathsThatKeepTheTolerance()), pathTestName);
 
 }  // namespace
 }  // namespace knotspan::testing

@@ -164,19 +164,7 @@ TEST_P(FrozenCulling, OutlinesWhatIsDroppedInTheColourOfItsMode)
     EXPECT_EQ(pixelsOf(*sharedRenderer()->capture(), colourOf("surface")), 0U);
 }
 
-std::vector<PathId> allPaths()
-{
-    std::vector<PathId> found;
-    for (const PathInfo& path : paths())
-        found.push_back(path.id);
-    return found;
-}
-
-INSTANTIATE_TEST_SUITE_P(Path, FrozenCulling, ::testing::ValuesIn(allPaths()), [](const auto& test) {
-    std::string name = pathInfo(test.param).name;
-    name.erase(std::remove_if(name.begin(), name.end(), [](char c) { return c == '-'; }), name.end());
-    return name;
-});
+INSTANTIATE_TEST_SUITE_P(Path, FrozenCulling, ::testing::ValuesIn(allPaths()), pathTestName);
 
 // Each mode's own: light quad culling drops the half that faces away, whose outlines show from behind.
 TEST(FrozenCullingColours, AreThoseOfTheModesAndAllDifferent)

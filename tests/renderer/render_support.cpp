@@ -173,4 +173,19 @@ Difference compare(const Picture& a, const Picture& b)
     return difference;
 }
 
+std::vector<PathId> allPaths()
+{
+    std::vector<PathId> all;
+    for (const PathInfo& path : paths())
+        all.push_back(path.id);
+    return all;
+}
+
+std::string pathTestName(const ::testing::TestParamInfo<PathId>& test)
+{
+    std::string name = pathInfo(test.param).name;
+    std::erase(name, '-');
+    return name;
+}
+
 }  // namespace knotspan::testing

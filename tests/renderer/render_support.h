@@ -42,6 +42,10 @@ struct Difference {
 };
 [[nodiscard]] Difference compare(const Picture& a, const Picture& b);
 
+// Tests of every path, and what each is called: "mesh9x9".
+[[nodiscard]] std::vector<PathId> allPaths();
+[[nodiscard]] std::string pathTestName(const ::testing::TestParamInfo<PathId>& test);
+
 }  // namespace knotspan::testing
 
 #define KNOTSPAN_NEED_RENDERER(renderer)                                          \
