@@ -7,6 +7,7 @@
 #include <glm/mat3x3.hpp>
 
 #include "model/geometry/grid_evaluation.h"
+#include "model/trimming/trim_region.h"
 
 namespace knotspan {
 
@@ -61,9 +62,38 @@ void addCombs(const GridEvaluator<double>& evaluator, const NurbsSurface& surfac
     }
 }
 
+double parameterOf(const KnotVector& knots, const SpanParameter& at)
+{
+    return std::lerp(knots[at.span], knots[at.span + 1], at.t);
+}
+
+// The parts of a comb whose teeth stand in the region.
+void addParts(IsoComb&& comb, const NurbsSurface& surface, const TrimRegion& region, int cells,
+              std::vector<IsoComb>& to)
+{
+    const bool isU = comb.across == Direction::U;
+    const KnotVector& along = isU ? surface.knotsV() : surface.knotsU();
+    const std::vector<SpanParameter> places = parametersPerSpan(along, cells);
+    IsoComb part{comb.across, comb.parameter, {}};
+    const auto end = [&] {
+        if (part.teeth.size() > 1)
+            to.push_back(part);
+        part.teeth.clear();
+    };
+    for (size_t k = 0; k < places.size(); ++k) {
+        const double at = parameterOf(along, places[k]);
+        if (isU ? region.contains(comb.parameter, at) : region.contains(at, comb.parameter))
+            part.teeth.push_back(comb.teeth[k]);
+        else
+            end();
+    }
+    end();
+}
+
 }  // namespace
 
-std::vector<IsoComb> isoCombs(const NurbsSurface& surface, const Mat4& transform, int count, int cells)
+std::vector<IsoComb> isoCombs(const NurbsSurface& surface, const Mat4& transform, int count, int cells,
+                              const std::vector<TrimLoop>& loops)
 {
     std::vector<IsoComb> combs;
     if (count < 1 || cells < 1)
@@ -71,7 +101,13 @@ std::vector<IsoComb> isoCombs(const NurbsSurface& surface, const Mat4& transform
     const GridEvaluator<double> evaluator(surface, {.derivatives = 2});
     addCombs(evaluator, surface, transform, Direction::U, spreadOver(surface.knotsU(), count), cells, combs);
     addCombs(evaluator, surface, transform, Direction::V, spreadOver(surface.knotsV(), count), cells, combs);
-    return combs;
+    const TrimRegion region(loops, surface);
+    if (loops.empty() || !region.isTrimmed())
+        return combs;
+    std::vector<IsoComb> parts;
+    for (IsoComb& comb : combs)
+        addParts(std::move(comb), surface, region, cells, parts);
+    return parts;
 }
 
 double curvatureOfMost(const std::vector<IsoComb>& combs, double part)

@@ -11,6 +11,7 @@
 
 #include "model/geometry/knot_insertion.h"
 #include "model/geometry/nurbs_surface.h"
+#include "model/geometry/trim_loop.h"
 
 namespace knotspan {
 
@@ -28,9 +29,10 @@ struct IsoComb {
 };
 
 // `count` iso-curves of each direction, evenly spread over the domain, its ends included; one: in the middle;
-// below one: none. The surface as its affine transform places it.
+// below one: none. The surface as its affine transform places it. Of a trimmed one only the teeth that stand
+// on what the loops leave: an iso-curve is then as many combs as it has parts of two teeth and more.
 [[nodiscard]] std::vector<IsoComb> isoCombs(const NurbsSurface& surface, const Mat4& transform, int count,
-                                            int cells);
+                                            int cells, const std::vector<TrimLoop>& loops = {});
 
 // The curvature that `part` (0 to 1) of the teeth that bend do not exceed; 1: the largest. 0 without any.
 [[nodiscard]] double curvatureOfMost(const std::vector<IsoComb>& combs, double part);

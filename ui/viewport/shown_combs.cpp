@@ -110,7 +110,7 @@ void ShownCombs::follow(Comb& comb, const SharedObject& object, int cells) const
     if (comb.object == object)
         return;
     comb.object = object;
-    comb.combs = isoCombs(object->surface, object->transform, settings_.curves, cells);
+    comb.combs = isoCombs(object->surface, object->transform, settings_.curves, cells, object->trimLoops);
     comb.strongest = curvatureOfMost(comb.combs, kMost);
     comb.acrossU.reset();
 }

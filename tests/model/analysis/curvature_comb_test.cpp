@@ -8,6 +8,8 @@
 #include <glm/geometric.hpp>
 
 #include "model/geometry/primitives.h"
+#include "model/trimming/trim_region.h"
+#include "tests/model/trimming/loop_samples.h"
 
 namespace knotspan {
 namespace {
@@ -128,6 +130,42 @@ TEST(IsoCombs, HaveNoTeethAtAPole)
             }
         }
     EXPECT_TRUE(isoCombs(sphere(Vec3(0), 2), Mat4(1), 0, 4).empty());
+}
+
+// Those of the whole surface that stand on what is left, and no comb runs across a hole.
+TEST(IsoCombs, OfATrimmedSurfaceStandOnWhatIsLeft)
+{
+    const NurbsSurface pipe = testing::roundSurface();
+    const double middle = (pipe.knotsV().domainStart() + pipe.knotsV().domainEnd()) / 2;
+    const std::vector<TrimLoop> hole{{true,
+                                      {testing::polyline({{0, pipe.knotsV().domainStart()},
+                                                          {1, pipe.knotsV().domainStart()},
+                                                          {1, pipe.knotsV().domainEnd()},
+                                                          {0, pipe.knotsV().domainEnd()},
+                                                          {0, pipe.knotsV().domainStart()}})}},
+                                     {false, {testing::circle({0.5, middle}, 0.2, false)}}};
+    const TrimRegion region(hole, pipe);
+    const auto whole = isoCombs(pipe, Mat4(1), 3, 40);
+    const auto parts = isoCombs(pipe, Mat4(1), 3, 40, hole);
+    EXPECT_EQ(parts.size(), whole.size() + 2);  // both in the middle are cut in two
+    size_t teeth = 0;
+    for (const IsoComb& part : parts) {
+        teeth += part.teeth.size();
+        double longest = 0;
+        for (size_t k = 1; k < part.teeth.size(); ++k)
+            longest = std::max(longest, glm::distance(part.teeth[k].foot, part.teeth[k - 1].foot));
+        double cell = 0;
+        for (const IsoComb& comb : whole)
+            if (comb.across == part.across && comb.parameter == part.parameter)
+                for (size_t k = 1; k < comb.teeth.size(); ++k)
+                    cell = std::max(cell, glm::distance(comb.teeth[k].foot, comb.teeth[k - 1].foot));
+        EXPECT_LE(longest, cell);
+    }
+    size_t all = 0;
+    for (const IsoComb& comb : whole)
+        all += comb.teeth.size();
+    EXPECT_LT(teeth, all - 20);
+    EXPECT_GT(teeth, all / 2);
 }
 
 }  // namespace

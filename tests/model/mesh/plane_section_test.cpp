@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "model/geometry/primitives.h"
+#include "tests/model/trimming/loop_samples.h"
 
 namespace knotspan {
 namespace {
@@ -123,6 +124,34 @@ TEST(PlaneSection, FollowsTheTransform)
     const auto curves = cutOf(sphere(Vec3(0), 1), plane, 1e-6, transform);
     ASSERT_EQ(curves.size(), 1U);
     expectCircle(curves[0], plane, {100, 0, 8}, std::sqrt(3.0));
+}
+
+// A flat ring: the ends are on its circles, as near as its mesh is.
+TEST(PlaneSection, OfATrimmedSurfaceEndsAtItsLoops)
+{
+    SceneObject object{.surface = testing::flatSurface({-1, 3}, {10, 12})};
+    object.trimLoops = {{true, {testing::circle({1, 11}, 0.9)}},
+                        {false, {testing::circle({1.2, 11}, 0.4, false)}}};
+    const auto ready = SectionSurface::create(std::make_shared<const SceneObject>(object), 1e-3);
+    ASSERT_TRUE(ready) << ready.error().sentence();
+    for (const double height : {0.0, 0.2, -0.35}) {
+        const auto curves = ready->cut({{0, 1, 0}, 11 + height}, 1e-6);
+        ASSERT_EQ(curves.size(), 2U) << height;
+        const double outer = std::sqrt(0.81 - height * height);
+        const double inner = std::sqrt(0.16 - height * height);
+        double length = 0;
+        for (const SectionCurve& curve : curves) {
+            length += curve.length();
+            for (const Vec3& end : {curve.points.front(), curve.points.back()}) {
+                const double fromOuter = std::abs(glm::distance(Vec2(end), Vec2(1, 11)) - 0.9);
+                const double fromInner = std::abs(glm::distance(Vec2(end), Vec2(1.2, 11)) - 0.4);
+                EXPECT_LT(std::min(fromOuter, fromInner), 1e-3);
+            }
+        }
+        EXPECT_NEAR(length, 2 * outer - 2 * inner, 4e-3);
+    }
+    EXPECT_TRUE(ready->cut({{0, 1, 0}, 11.95}, 1e-6).empty());
+    EXPECT_EQ(ready->cut({{0, 1, 0}, 11.6}, 1e-6).size(), 1U);
 }
 
 }  // namespace
