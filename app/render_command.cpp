@@ -69,6 +69,7 @@ Frame frameFor(const RenderTexts& texts, const RenderRequest& request, const Sce
     frame.look = request.look;
     frame.overlays.controlNets = texts.net;
     frame.overlays.knotLines = texts.knots;
+    frame.overlays.outlines = texts.outlines;
     frame.smoothEdges = !texts.sharpEdges;
     if (texts.friends)
         frame.overlays.edgeLines = friendLinesOf(scene);

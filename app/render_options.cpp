@@ -76,6 +76,8 @@ void addRenderOptions(CLI::App& command, RenderTexts& texts)
     addLookOptions(command, texts.look);
     command.add_flag("--net", texts.net, "Draw the control nets, too");
     command.add_flag("--knots", texts.knots, "Draw the borders of the KSQuads, too");
+    command.add_flag("--outlines", texts.outlines,
+                     "Draw the borders of the surfaces, too: of trimmed ones of what is left");
     command.add_flag("--sharp-edges", texts.sharpEdges,
                      "Draw borders of trimmed surfaces by whole pixels: faster than smooth ones");
     command.add_flag("--friends", texts.friends,

@@ -23,7 +23,8 @@ struct RenderTexts {
     double fov = 35;
     int frames = 1;
     std::optional<int> device;
-    bool orthographic = false, net = false, knots = false, sharpEdges = false, friends = false, countWrong = false;
+    bool orthographic = false, net = false, knots = false, outlines = false, sharpEdges = false,
+         friends = false, countWrong = false;
 };
 
 void addRenderOptions(CLI::App& command, RenderTexts& texts);

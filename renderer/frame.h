@@ -103,7 +103,8 @@ struct Overlays {
     bool hulls = true;                  // and the lines between them
     bool knotLines = false;             // the KSQuads' borders on every surface
     int isoCurves = 0;                  // parts that lines cut every KSQuad into, each way; below 2: none
-    bool normals = false;               // a line to the front of each KSQuad
+    bool outlines = false;              // the borders of what trim loops leave of each surface
+    bool normals = false;               // a line to the front of each KSQuad of which something is left
     std::vector<ObjectId> highlighted;  // objects drawn as selected
     std::optional<ObjectId> hovered;    // drawn as what a click would take
     std::vector<ControlPointMark> marks;

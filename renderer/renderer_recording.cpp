@@ -74,7 +74,7 @@ bool Renderer::Parts::hasTrimEdges(const Frame& frame) const
 void Renderer::Parts::prepareOverlays(const Overlays& overlays)
 {
     const Specialization specialization = specializationFor(scene.evaluator());
-    edgeLines.prepare(overlays.edgeLines, overlays.isoLines, scene.residents(), specialization);
+    edgeLines.prepare(overlays, scene.residents(), specialization);
     marks.prepare(overlays.marks, scene.residents());
     spaceLines.prepare(overlays.spaceLines);
     strokes.prepare(overlays.patches, overlays.strokes);
@@ -88,7 +88,7 @@ void Renderer::Parts::drawOverlays(VkCommandBuffer commands, const Frame& frame)
     const Overlays& overlays = frame.overlays;
     if (overlays.normals && scene.ksquadCount() > 0)
         normalLines.draw(commands, scene.ksquadCount());
-    if (!overlays.edgeLines.empty() || !overlays.isoLines.empty())
+    if (overlays.outlines || !overlays.edgeLines.empty() || !overlays.isoLines.empty())
         edgeLines.draw(commands);
     if (!overlays.spaceLines.empty())
         spaceLines.draw(commands, frame.camera);

@@ -6,6 +6,9 @@ namespace knotspan {
 
 namespace {
 
+constexpr std::uint32_t kOutlineColour = 0x0c0e11;
+constexpr double kOutlineWidthPx = 1.5;
+
 // Adds lines on one object.
 class Adding {
 public:
@@ -49,6 +52,13 @@ public:
             add(piece.spanU, piece.spanV, (from - piece.from) / (piece.to - piece.from),
                 (upTo - piece.from) / (piece.to - piece.from), place);
         }
+    }
+
+    void chords(const std::vector<OutlineChord>& chords)
+    {
+        for (const OutlineChord& chord : chords)
+            to_.push_back(
+                {first_ + chord.ksquad, gpu::vec2(chord.from), gpu::vec2(chord.to), colour_, halfWidth_});
     }
 
 private:
@@ -102,14 +112,17 @@ void EdgeLines::add(const EdgeLine& line, const Resident& resident, std::vector<
         adding.trim(*pieces, line.edge.from, line.edge.to);
 }
 
-void EdgeLines::prepare(const std::vector<EdgeLine>& edgeLines, const std::vector<IsoLine>& isoLines,
-                        const std::vector<Resident>& residents, const Specialization& specialization)
+void EdgeLines::prepare(const Overlays& overlays, const std::vector<Resident>& residents,
+                        const Specialization& specialization)
 {
     std::vector<gpu::EdgeLineRecord> records;
-    for (const EdgeLine& line : edgeLines)
+    if (overlays.outlines)
+        for (const Resident& resident : residents)
+            Adding(resident, kOutlineColour, kOutlineWidthPx, records).chords(outlines_.of(resident));
+    for (const EdgeLine& line : overlays.edgeLines)
         if (const Resident* resident = findResident(residents, line.object))
             add(line, *resident, records);
-    for (const IsoLine& line : isoLines)
+    for (const IsoLine& line : overlays.isoLines)
         if (const Resident* resident = findResident(residents, line.object))
             Adding(*resident, line.colour, line.widthPx, records).iso(line.across, line.parameter);
     specialization_ = specialization;

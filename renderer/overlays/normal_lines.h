@@ -1,4 +1,6 @@
 // A line from the middle of each KSQuad to its front, evaluated on the device: nothing is uploaded for them.
+// Of KSQuads that are trimmed it starts at a place that is left, and is none where less than about a
+// hundredth is.
 #pragma once
 
 #include <map>

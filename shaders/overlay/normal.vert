@@ -1,8 +1,12 @@
-// A line from the middle of each KSQuad to its front, as long on the screen wherever it is: an instance each, a strip.
+// A line from the middle of each KSQuad to its front, as long on the screen wherever it is: an instance each, a strip. Where
+// trim loops leave the middle not, from a place that they do.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
 #include "../shared/scene.glsl"
+
+layout(set = 0, binding = BINDING_TRIM_WORDS, scalar) readonly buffer TrimBuffer { uint trimWords[]; };
+#include "../shared/trimming.glsl"
 
 layout(location = 0) flat out vec3 outColour;
 layout(location = 1) flat out float outHalfWidth;
@@ -12,12 +16,32 @@ const float kLength = 18.0;  // pixels, where it does not point at the eye or aw
 const float kHalfWidth = 1.0;
 const float kStart = 1.0;  // pixels: off the surface, through which it would show from behind
 
+const int kPlaces = 128;
+
+// Places spread evenly over the KSQuad, the middle first: the first one that is left.
+bool findFoot(uint ksquad, out vec2 t)
+{
+    t = vec2(0.5);
+    if ((frame.flags & FRAME_TRIMMED) == 0u || trimWords[ksquad] == TRIM_INSIDE)
+        return true;
+    if (trimWords[ksquad] == TRIM_OUTSIDE)
+        return false;
+    for (int k = 0; k < kPlaces; ++k) {
+        t = fract(vec2(0.5) + float(k) * vec2(0.7548776662466927, 0.5698402909980532));
+        if (trimContains(ksquad, t))
+            return true;
+    }
+    return false;
+}
+
 void main()
 {
     uint ksquad = uint(gl_InstanceIndex);
     uint surface = ksquads[ksquad].surface;
     bool orthographic = (frame.flags & FRAME_ORTHOGRAPHIC) != 0u;
-    SurfaceVertex middle = vertexOf(ksquads[ksquad], vec2(0.5));
+    vec2 place;
+    bool isLeft = findFoot(ksquad, place);
+    SurfaceVertex middle = vertexOf(ksquads[ksquad], place);
     vec3 foot = toView(surface, middle.at.position);
     float unitsPerPixel = (orthographic ? 1.0 : -foot.z) / frame.pixelsPerUnit;
     vec3 front = normalToView(surface, middle.normal) * surfaceViews[surface].facing;
@@ -26,7 +50,7 @@ void main()
     outColour = vec3(0.45, 0.87, 0.71);
     outHalfWidth = kHalfWidth;
     outAcross = (gl_VertexIndex % 2 == 0 ? -1.0 : 1.0) * (kHalfWidth + 1.0);
-    if (!(min(ends[0].w, ends[1].w) > 0.0)) {
+    if (!isLeft || !(min(ends[0].w, ends[1].w) > 0.0)) {
         gl_Position = vec4(2.0, 2.0, 2.0, 1.0);  // in no picture
         return;
     }

@@ -1,6 +1,8 @@
 // Lines along the borders of surfaces: where they are, what hides them, and that they cost nothing without.
 #include <algorithm>
 
+#include <glm/geometric.hpp>
+
 #include "model/geometry/evaluation.h"
 #include "model/samples/sample_list.h"
 #include "tests/renderer/render_support.h"
@@ -9,6 +11,27 @@ namespace knotspan::testing {
 namespace {
 
 constexpr std::uint32_t kOrange = 0xe69f00;
+
+// Around the middle of the domain, 0.7 of it wide.
+TrimCurve circleIn(const NurbsSurface& surface)
+{
+    const KnotVector& knots = surface.knotsU();
+    const double size = knots.domainEnd() - knots.domainStart();
+    const Vec2 centre(knots.domainStart() + 0.5 * size);
+    std::vector<TrimPoint> points;
+    std::vector<double> circle{0, 0, 0};
+    for (int k = 0; k <= 8; ++k) {
+        const double angle = k * std::acos(-1.0) / 4;
+        const bool corner = k % 2 == 1;
+        points.push_back(
+            {centre + 0.35 * size * (corner ? std::sqrt(2.0) : 1) * Vec2(std::cos(angle), std::sin(angle)),
+             corner ? std::sqrt(0.5) : 1});
+        if (k > 0 && k < 8 && !corner)
+            circle.insert(circle.end(), 2, k / 2);
+    }
+    circle.insert(circle.end(), 3, 4);
+    return TrimCurve::create(KnotVector::create(2, circle).value(), points).value();
+}
 
 class EdgeLineTest : public ::testing::TestWithParam<PathId> {
 protected:
@@ -54,22 +77,7 @@ TEST_P(EdgeLineTest, LieOnTheSidesAndPartsThatWereAskedFor)
 TEST_P(EdgeLineTest, FollowTrimCurvesThroughTheSurface)
 {
     SceneObject trimmed = *scene.find(id);
-    const KnotVector& knots = trimmed.surface.knotsU();
-    const double size = knots.domainEnd() - knots.domainStart();
-    const Vec2 centre(knots.domainStart() + 0.5 * size);
-    std::vector<TrimPoint> points;
-    std::vector<double> circle{0, 0, 0};
-    for (int k = 0; k <= 8; ++k) {
-        const double angle = k * std::acos(-1.0) / 4;
-        const bool corner = k % 2 == 1;
-        points.push_back(
-            {centre + 0.35 * size * (corner ? std::sqrt(2.0) : 1) * Vec2(std::cos(angle), std::sin(angle)),
-             corner ? std::sqrt(0.5) : 1});
-        if (k > 0 && k < 8 && !corner)
-            circle.insert(circle.end(), 2, k / 2);
-    }
-    circle.insert(circle.end(), 3, 4);
-    const TrimCurve curve = TrimCurve::create(KnotVector::create(2, circle).value(), points).value();
+    const TrimCurve curve = circleIn(trimmed.surface);
     trimmed.trimLoops = {{true, {curve}}};
     scene.exchange(id, std::make_shared<SceneObject>(trimmed));
     frame.camera = frameOf(scene, GetParam(), 240, 180, "top").camera;  // where nothing hides the line
@@ -88,14 +96,72 @@ TEST_P(EdgeLineTest, FollowTrimCurvesThroughTheSurface)
     EXPECT_EQ(pixelsOf(drawn(*sharedRenderer(), scene, frame).picture, kOrange), 0U);
 }
 
+// Pixels that outlines change, and those that places of the borders are on, are the same.
+TEST_P(EdgeLineTest, OutlinesAreThoseOfWhatIsLeft)
+{
+    frame = frameOf(scene, GetParam(), 240, 180, "top");
+    SceneObject object = *scene.find(id);
+    const TrimCurve curve = circleIn(object.surface);
+    const double end = object.surface.knotsU().domainEnd();
+    std::vector<Vec2> circle;
+    for (double t = 0; t < 4; t += 0.01)
+        circle.push_back(curve.evaluate(t));
+    std::vector<Vec2> sides;
+    for (double t = 0; t <= end; t += end / 400)
+        sides.insert(sides.end(), {Vec2(t, 0), Vec2(t, end), Vec2(0, t), Vec2(end, t)});
+    std::vector<Vec2> both = circle;
+    both.insert(both.end(), sides.begin(), sides.end());
+    const auto expectAt = [&](const std::vector<TrimLoop>& loops, const std::vector<Vec2>& border) {
+        object.trimLoops = loops;
+        scene.exchange(id, std::make_shared<SceneObject>(object));
+        frame.overlays.outlines = false;
+        const Picture bare = drawn(*sharedRenderer(), scene, frame).picture;
+        frame.overlays.outlines = true;
+        const Picture outlined = drawn(*sharedRenderer(), scene, frame).picture;
+        EXPECT_EQ(sharedRenderer()->draw(frame)->uploadBytesPerFrame, 0U);
+        std::vector<Vec2> pixels;
+        for (const Vec2& at : border)
+            pixels.push_back(*frame.camera.toPixel(
+                transformed(evaluate(object.surface, at.x, at.y).position, object.transform), frame.width,
+                frame.height));
+        std::vector<bool> isSeen(pixels.size(), false);
+        int stray = 0;
+        for (int y = 0; y < frame.height; ++y)
+            for (int x = 0; x < frame.width; ++x) {
+                if (colourAt(bare, x, y) == colourAt(outlined, x, y))
+                    continue;
+                bool isNearOne = false;
+                for (size_t k = 0; k < pixels.size(); ++k)
+                    if (glm::distance(pixels[k], Vec2(x + 0.5, y + 0.5)) < 2) {
+                        isNearOne = true;
+                        isSeen[k] = true;
+                    }
+                stray += !isNearOne;
+            }
+        EXPECT_EQ(stray, 0);
+        EXPECT_EQ(std::count(isSeen.begin(), isSeen.end(), false), 0);
+    };
+    ASSERT_EQ(object.surface.knotsU(), object.surface.knotsV());
+    ASSERT_EQ(object.surface.knotsU().domainStart(), 0);
+    {
+        SCOPED_TRACE("whole");
+        expectAt({}, sides);
+    }
+    {
+        SCOPED_TRACE("a disc");
+        expectAt({{true, {curve}}}, circle);
+    }
+    {
+        SCOPED_TRACE("a hole");
+        const std::vector<TrimPoint> around{{{0, 0}}, {{end, 0}}, {{end, end}}, {{0, end}}, {{0, 0}}};
+        const TrimCurve border = TrimCurve::create(KnotVector::clampedUniform(1, 4), around).value();
+        expectAt({{true, {border}}, {false, {curve}}}, both);
+    }
+}
+
 // Of each way to pack a scene one.
-INSTANTIATE_TEST_SUITE_P(
-    Path, EdgeLineTest, ::testing::Values(PathId::tessellation, PathId::bezier, PathId::cpu),
-    [](const auto& test) {
-        std::string name = pathInfo(test.param).name;
-        name.erase(std::remove_if(name.begin(), name.end(), [](char c) { return c == '-'; }), name.end());
-        return name;
-    });
+INSTANTIATE_TEST_SUITE_P(Path, EdgeLineTest,
+                         ::testing::Values(PathId::tessellation, PathId::bezier, PathId::cpu), pathTestName);
 
 TEST(EdgeLines, CostNothingWhereThereAreNone)
 {

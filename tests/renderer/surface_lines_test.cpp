@@ -14,13 +14,6 @@ namespace {
 constexpr std::uint32_t kOrange = 0xe69f00;
 constexpr std::uint32_t kNormalColour = 0x73deb5;
 
-std::string testName(const ::testing::TestParamInfo<PathId>& test)
-{
-    std::string name = pathInfo(test.param).name;
-    name.erase(std::remove(name.begin(), name.end(), '-'), name.end());
-    return name;
-}
-
 // A square in the plane z = 0 around the origin, of side 2, with `spans` spans each way.
 SceneObject square(int spans)
 {
@@ -116,7 +109,7 @@ TEST_P(IsoLines, TravelOnlyWhereTheyChanged)
 
 // Of each way to pack a scene one.
 INSTANTIATE_TEST_SUITE_P(Path, IsoLines, ::testing::Values(PathId::tessellation, PathId::bezier, PathId::cpu),
-                         testName);
+                         pathTestName);
 
 class IsoCurves : public SurfaceLines {
 protected:
@@ -197,7 +190,8 @@ TEST_P(IsoCurves, OfLessThanTwoPartsAreNone)
 }
 
 // Whole surfaces as primitives count spans in their parameters.
-INSTANTIATE_TEST_SUITE_P(Path, IsoCurves, ::testing::Values(PathId::tessellation, PathId::surface), testName);
+INSTANTIATE_TEST_SUITE_P(Path, IsoCurves, ::testing::Values(PathId::tessellation, PathId::surface),
+                         pathTestName);
 
 class Normals : public SurfaceLines {
 protected:
@@ -285,7 +279,44 @@ TEST_P(Normals, AreThoseOfCurvedSurfaces)
     EXPECT_GT(seen, 10);
 }
 
-INSTANTIATE_TEST_SUITE_P(Path, Normals, ::testing::Values(PathId::tessellation, PathId::bezier), testName);
+// Where loops leave the middle not, from another place; where they leave nothing, none.
+TEST_P(Normals, StartWhereSomethingIsLeft)
+{
+    const auto polygon = [](const std::vector<Vec2>& corners) {
+        std::vector<TrimPoint> points;
+        for (const Vec2& corner : corners)
+            points.push_back({corner, 1});
+        points.push_back(points.front());
+        const int spans = static_cast<int>(corners.size());
+        return TrimLoop{true, {TrimCurve::create(KnotVector::clampedUniform(1, spans), points).value()}};
+    };
+    SceneObject object = square(2);
+    // A corner of the first KSQuad, and all of the last.
+    object.trimLoops = {polygon({{0.05, 0.05}, {0.15, 0.05}, {0.05, 0.15}}),
+                        polygon({{0.5, 0.5}, {1, 0.5}, {1, 1}, {0.5, 1}})};
+    scene.add(object);
+    look(8, false);
+    const Picture shown = picture();
+    EXPECT_TRUE(isNear(shown, onLine({0.5, 0.5, 0}, {0, 0, 1}, 0.8), kNormalColour));
+    size_t ofCorner = 0;
+    for (int y = 0; y < frame.height; ++y)
+        for (int x = 0; x < frame.width; ++x) {
+            if (colourAt(shown, x, y) != kNormalColour)
+                continue;
+            const auto isOf = [&](const Vec3& low, const Vec3& high) {
+                const Vec2 a = onLine(low, {0, 0, 1}, 0) + Vec2(-2, 2);
+                const Vec2 b = onLine(high, {0, 0, 1}, 1.1) + Vec2(2, -2);
+                return x >= a.x && x <= b.x && y <= a.y && y >= b.y;
+            };
+            const bool isCorner = isOf({-0.9, -0.9, 0}, {-0.7, -0.7, 0});
+            ofCorner += isCorner;
+            EXPECT_TRUE(isCorner || isOf({0.5, 0.5, 0}, {0.5, 0.5, 0})) << x << ", " << y;
+        }
+    EXPECT_GT(ofCorner, 5U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Path, Normals, ::testing::Values(PathId::tessellation, PathId::bezier),
+                         pathTestName);
 
 }  // namespace
 }  // namespace knotspan::testing

@@ -113,7 +113,8 @@ TEST(ActionKeys, IsolateHidesTheOthersAndViewSwitchesChangeThePicture)
         visible += object->visible ? 1 : 0;
     EXPECT_EQ(visible, 1);
     EXPECT_EQ(window->document().history().count(), 1);
-    for (const char* id : {"view.points", "view.hulls", "view.isoCurves", "view.normals", "view.knots"}) {
+    for (const char* id :
+         {"view.points", "view.hulls", "view.isoCurves", "view.normals", "view.knots", "view.outlines"}) {
         settle(*window);
         const QImage before = picture(*window);
         window->action(id)->trigger();

@@ -54,14 +54,14 @@ private:
                                              "tools.lasso",  "tools.weight",  "tools.knot",   "tools.grab",
                                              "tools.smooth", "tools.inflate", "tools.flatten"};
     static constexpr const char* kActions[] = {
-        "points.row",        "points.column",    "points.net",       "points.grow",       "points.shrink",
-        "points.invert",     "points.left",      "points.up",        "points.rightFine",  "edit.keepFriends",
-        "edit.selectAll",    "object.duplicate", "edit.delete",      "object.sidesBoth",  "view.iso",
-        "view.fit",          "view.nets",        "view.friends",     "edit.deselect",     "view.top",
-        "object.hide",       "object.isolate",   "object.showAll",   "object.lock",       "object.unlockAll",
-        "view.points",       "view.hulls",       "view.isoCurves",   "view.normals",      "view.knots",
-        "tools.gizmo",       "tools.snap",       "tools.takePoints", "tools.takeObjects", "tools.largerBrush",
-        "tools.smallerBrush"};
+        "points.row",        "points.column",     "points.net",     "points.grow",      "points.shrink",
+        "points.invert",     "points.left",       "points.up",      "points.rightFine", "edit.keepFriends",
+        "edit.selectAll",    "object.duplicate",  "edit.delete",    "object.sidesBoth", "view.iso",
+        "view.fit",          "view.nets",         "view.friends",   "edit.deselect",    "view.top",
+        "object.hide",       "object.isolate",    "object.showAll", "object.lock",      "object.unlockAll",
+        "view.points",       "view.hulls",        "view.isoCurves", "view.normals",     "view.knots",
+        "view.outlines",     "tools.gizmo",       "tools.snap",     "tools.takePoints", "tools.takeObjects",
+        "tools.largerBrush", "tools.smallerBrush"};
 
     // Keys while something is dragged.
     void typing()
