@@ -46,13 +46,13 @@ Bytes bytesOf(const Scene& scene)
     return bytes;
 }
 
-// Of the visible surfaces themselves, not of their control points, and of the meshes.
+// Of what is left of the visible surfaces themselves, not of their control points, and of the meshes.
 Box boundsOf(const Scene& scene)
 {
     Box box;
     for (const auto& [id, object] : scene.objects())
         if (object->visible)
-            box.add(surfaceBounds(object->surface, object->transform));
+            box.add(trimmedBounds(object->surface, object->trimLoops, object->transform));
     for (const auto& [id, object] : scene.meshes())
         if (object->visible)
             for (const Vec3& vertex : object->mesh->vertices)
@@ -257,7 +257,8 @@ int run(const Options& options)
 void addInfoCommand(CLI::App& app, int& exitCode)
 {
     const auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand("info", "Say what a model holds");
+    CLI::App* command =
+        app.add_subcommand("info", "Say what a model holds; its bounds are those of what trim loops leave");
     addModel(*command, options->file);
     addJson(*command, options->json);
     command->add_flag("--area", options->area,

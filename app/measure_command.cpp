@@ -14,6 +14,7 @@
 #include "model/geometry/ksquad.h"
 #include "model/geometry/simd_targets.h"
 #include "renderer/measurement/flight.h"
+#include "renderer/scene/framed_points.h"
 #include "ui/plots/plot_svg.h"
 
 namespace knotspan::app {
@@ -90,7 +91,7 @@ PathReport measurePaths(const Subject& subject, const MeasureRequest& request)
     if (subject.renderer)
         report.device = (*subject.renderer)->deviceInfo();
     Frame& frame = report.request.frame;
-    frame.camera = *namedView(request.view, subject.scene.hullPoints(),
+    frame.camera = *namedView(request.view, framedPoints(subject.scene),
                               static_cast<double>(frame.width) / frame.height, false);
     report.request.flight = flightAround(subject.scene, static_cast<size_t>(request.flight),
                                          static_cast<double>(frame.width) / frame.height);

@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/drawing_options.h"
+#include "renderer/scene/framed_points.h"
 
 namespace knotspan::app {
 namespace {
@@ -132,7 +133,7 @@ Camera cameraFor(const RenderTexts& texts, const RenderRequest& request, const S
     if (!request.eye) {
         const double aspect = static_cast<double>(request.size.width) / request.size.height;
         const std::string view = texts.view.empty() ? "iso" : texts.view;
-        return *namedView(view, scene.hullPoints(), aspect, texts.orthographic, texts.fov);
+        return *namedView(view, framedPoints(scene), aspect, texts.orthographic, texts.fov);
     }
     Camera camera;
     camera.eye = *request.eye;

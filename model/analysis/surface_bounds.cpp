@@ -1,12 +1,16 @@
 #include "model/analysis/surface_bounds.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include <glm/common.hpp>
 
 #include "model/geometry/evaluation.h"
+#include "model/trimming/face_outline.h"
 
 namespace knotspan {
 
@@ -29,19 +33,30 @@ struct Summit {
     Vec3 point{};
 };
 
-// Looks for the highest point of a surface in one direction.
+// What is left of a surface, and the box of that in its parameters.
+struct Left {
+    const TrimRegion& region;
+    Vec2 low{};
+    Vec2 high{};
+};
+
+// Looks for the highest point of a surface in one direction, or of what is left of it, where `best` is the
+// highest of its outline.
 class Climb {
 public:
-    Climb(const NurbsSurface& surface, const Mat4& transform, const Direction& direction)
+    Climb(const NurbsSurface& surface, const Mat4& transform, const Direction& direction,
+          const Left* left = nullptr, const Summit& best = {})
         : surface_(surface),
           transform_(transform),
-          direction_(direction)
+          direction_(direction),
+          left_(left),
+          best_(best)
     {
     }
 
     // No KSQuad reaches above its control points: those whose control points all lie below what has been
     // found elsewhere are not looked at. The rest are, the most promising first.
-    [[nodiscard]] Vec3 highest()
+    [[nodiscard]] Summit highest()
     {
         const std::vector<double> ceilings = ceilingsOfKsQuads();
         const auto top = std::max_element(ceilings.begin(), ceilings.end());
@@ -59,7 +74,7 @@ public:
                 break;
             look(quad, ceilings[quad]);
         }
-        return best_.point;
+        return best_;
     }
 
 private:
@@ -112,9 +127,15 @@ private:
         const auto spans = surface_.knotsV().spans().size();
         const int spanU = surface_.knotsU().spans()[quad / spans];
         const int spanV = surface_.knotsV().spans()[quad % spans];
-        const Vec2 low(surface_.knotsU()[spanU], surface_.knotsV()[spanV]);
-        const Vec2 cell =
-            (Vec2(surface_.knotsU()[spanU + 1], surface_.knotsV()[spanV + 1]) - low) / double{kCellsPerSpan};
+        Vec2 low(surface_.knotsU()[spanU], surface_.knotsV()[spanV]);
+        Vec2 high(surface_.knotsU()[spanU + 1], surface_.knotsV()[spanV + 1]);
+        if (left_ != nullptr) {
+            low = glm::max(low, left_->low);
+            high = glm::min(high, left_->high);
+        }
+        if (low.x > high.x || low.y > high.y)
+            return;
+        const Vec2 cell = (high - low) / double{kCellsPerSpan};
         Summit summit;
         for (int i = 0; i <= kCellsPerSpan; ++i)
             for (int j = 0; j <= kCellsPerSpan; ++j)
@@ -122,7 +143,7 @@ private:
         // Of many peaks of about the same height, only so many are climbed.
         constexpr int kMostClimbs = 64;
         const bool mayBeHigher = (summit.height + ceiling) / 2 > best_.height && climbs_ < kMostClimbs;
-        if (summit.height > best_.height || mayBeHigher) {
+        if (std::isfinite(summit.height) && (summit.height > best_.height || mayBeHigher)) {
             ++climbs_;
             climb(summit, cell);
         }
@@ -134,7 +155,7 @@ private:
     {
         const Vec3 point = transformed(evaluate(surface_, at.x, at.y).position, transform_);
         const double height = direction_.heightOf(point);
-        if (!(height > summit.height))
+        if (!(height > summit.height) || (left_ != nullptr && !left_->region.contains(at.x, at.y)))
             return false;
         summit = {height, at, point};
         return true;
@@ -162,19 +183,147 @@ private:
     const NurbsSurface& surface_;
     const Mat4& transform_;
     Direction direction_;
+    const Left* left_;
     double size_ = 0;  // of the control points' box in that direction
     Summit best_;
     int climbs_ = 0;
 };
+
+// The highest points of the outline of what loops leave.
+class OutlineHeights {
+public:
+    OutlineHeights(const NurbsSurface& surface, const Mat4& transform, const TrimRegion& region)
+        : surface_(surface),
+          transform_(transform)
+    {
+        for (OutlineArc& arc : outlineOf(region))
+            for (RegionPiece& piece : arc.pieces) {
+                Sampled sampled{std::move(piece), {}};
+                for (int k = 0; k <= kSamples; ++k)
+                    sampled.points[static_cast<size_t>(k)] = pointAt(sampled.piece, at(k));
+                pieces_.push_back(std::move(sampled));
+            }
+    }
+
+    // Of what lies within it.
+    [[nodiscard]] Left left(const TrimRegion& region) const
+    {
+        Left left{region, Vec2(std::numeric_limits<double>::infinity()), {}};
+        left.high = -left.low;
+        for (const Sampled& sampled : pieces_)
+            for (const double s : {0.0, 1.0}) {
+                left.low = glm::min(left.low, parametersAt(sampled.piece, s));
+                left.high = glm::max(left.high, parametersAt(sampled.piece, s));
+            }
+        return left;
+    }
+
+    [[nodiscard]] Summit highest(const Direction& direction) const
+    {
+        Summit best;
+        const auto offer = [&](const Vec3& point) {
+            if (direction.heightOf(point) > best.height)
+                best = {direction.heightOf(point), {}, point};
+        };
+        for (const Sampled& sampled : pieces_)
+            for (const Vec3& point : sampled.points)
+                offer(point);
+        for (const Sampled& sampled : pieces_)
+            for (int k = 0; k <= kSamples; ++k) {
+                const auto height = [&](int n) {
+                    return direction.heightOf(sampled.points[static_cast<size_t>(n)]);
+                };
+                const int before = std::max(k - 1, 0);
+                const int after = std::min(k + 1, kSamples);
+                const int middle = std::clamp(k, 1, kSamples - 1);
+                const double bend = std::abs(2 * height(middle) - height(middle - 1) - height(middle + 1));
+                if (height(k) >= height(before) && height(k) >= height(after) &&
+                    height(k) + bend > best.height)
+                    offer(highestBetween(sampled.piece, at(before), at(after), direction));
+            }
+        return best;
+    }
+
+private:
+    static constexpr int kSamples = 8;
+    struct Sampled {
+        RegionPiece piece;
+        std::array<Vec3, kSamples + 1> points;
+    };
+
+    static double at(int k) { return static_cast<double>(k) / kSamples; }
+
+    [[nodiscard]] Vec2 parametersAt(const RegionPiece& piece, double s) const
+    {
+        const Vec2 t = placeOf(piece.points, s);
+        const auto parameter = [](const KnotVector& knots, int number, double part) {
+            const int span = knots.spans()[static_cast<size_t>(number)];
+            return std::lerp(knots[span], knots[span + 1], part);
+        };
+        return {parameter(surface_.knotsU(), piece.a, t.x), parameter(surface_.knotsV(), piece.b, t.y)};
+    }
+    [[nodiscard]] Vec3 pointAt(const RegionPiece& piece, double s) const
+    {
+        const Vec2 at = parametersAt(piece, s);
+        return transformed(evaluate(surface_, at.x, at.y).position, transform_);
+    }
+
+    // Golden sections of a stretch with one top.
+    [[nodiscard]] Vec3 highestBetween(const RegionPiece& piece, double from, double to,
+                                      const Direction& direction) const
+    {
+        constexpr double kGolden = 0.6180339887498949;
+        constexpr int kRounds = 40;
+        double low = to - kGolden * (to - from);
+        double high = from + kGolden * (to - from);
+        Vec3 atLow = pointAt(piece, low);
+        Vec3 atHigh = pointAt(piece, high);
+        for (int round = 0; round < kRounds; ++round)
+            if (direction.heightOf(atLow) < direction.heightOf(atHigh)) {
+                from = std::exchange(low, high);
+                atLow = atHigh;
+                high = from + kGolden * (to - from);
+                atHigh = pointAt(piece, high);
+            } else {
+                to = std::exchange(high, low);
+                atHigh = atLow;
+                low = to - kGolden * (to - from);
+                atLow = pointAt(piece, low);
+            }
+        return atLow;
+    }
+
+    const NurbsSurface& surface_;
+    const Mat4& transform_;
+    std::vector<Sampled> pieces_;
+};
+
+constexpr std::array<Direction, 6> kDirections{{{0, 1}, {0, -1}, {1, 1}, {1, -1}, {2, 1}, {2, -1}}};
 
 }  // namespace
 
 Box surfaceBounds(const NurbsSurface& surface, const Mat4& transform)
 {
     Box box;
-    for (int axis = 0; axis < 3; ++axis)
-        for (const double sign : {1.0, -1.0})
-            box.add(Climb(surface, transform, {axis, sign}).highest());
+    for (const Direction& direction : kDirections)
+        box.add(Climb(surface, transform, direction).highest().point);
+    return box;
+}
+
+Box trimmedBounds(const NurbsSurface& surface, const std::vector<TrimLoop>& loops, const Mat4& transform)
+{
+    const TrimRegion region(loops, surface);
+    if (loops.empty() || !region.isTrimmed())
+        return surfaceBounds(surface, transform);
+    const OutlineHeights outline(surface, transform, region);
+    const Left left = outline.left(region);
+    Box box;
+    for (const Direction& direction : kDirections) {
+        const Summit highest =
+            Climb(surface, transform, direction, &left, outline.highest(direction)).highest();
+        if (std::isfinite(highest.height))
+            box.add(highest.point);
+    }
     return box;
 }
 

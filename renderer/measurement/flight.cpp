@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "renderer/scene/framed_points.h"
+
 namespace knotspan {
 
 std::vector<Camera> flightAround(const Scene& scene, size_t count, double aspect)
@@ -9,7 +11,7 @@ std::vector<Camera> flightAround(const Scene& scene, size_t count, double aspect
     constexpr double kTurn = 6.283185307179586;
     constexpr double kClimb = 0.5;  // radians, from the first view's height
     constexpr double kClosest = 4;  // times as close as where all of it shows
-    const std::vector<Vec3> points = scene.hullPoints();
+    const std::vector<Vec3> points = framedPoints(scene);
     std::vector<Camera> views;
     if (points.empty())
         return views;

@@ -174,10 +174,15 @@ std::vector<FolderRule> makeRules()
                          "renderer/culling/cull_modes.h",
                          "renderer/paths/path_list.h",
                          "renderer/scene/camera.h",
+                         "renderer/scene/framed_points.h",
                          "renderer/scene/look.h",
                          "renderer/scene/render_lists.h",
                          "renderer/measurement"};
-    const Folders front{"renderer/renderer.h", "renderer/frame.h", "renderer/leak_count.h", "renderer/stats",
+    const Folders front{"renderer/renderer.h",
+                        "renderer/frame.h",
+                        "renderer/leak_count.h",
+                        "renderer/stats",
+                        "renderer/scene/framed_points.h",
                         "renderer/paths/path_list.h"};
     const Folders viewing = window + Folders{"ui/tools"};
     const Folders panels = viewing + Folders{"ui/viewport"};

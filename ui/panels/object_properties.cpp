@@ -15,7 +15,8 @@ ObjectProperties propertiesOf(const MeasuredObject& object, const std::function<
         found.area =
             trimmedArea(object.surface->surface, object.surface->trimLoops, object.surface->transform, isOff);
         if (!isOff())
-            found.bounds = surfaceBounds(object.surface->surface, object.surface->transform);
+            found.bounds =
+                trimmedBounds(object.surface->surface, object.surface->trimLoops, object.surface->transform);
         return found;
     }
     for (const Vec3& vertex : object.mesh->mesh->vertices)

@@ -8,6 +8,7 @@
 #include <QStackedLayout>
 #include <QVBoxLayout>
 
+#include "renderer/scene/framed_points.h"
 #include "ui/viewport/input.h"
 #include "ui/viewport/navigation_presets.h"
 
@@ -169,14 +170,14 @@ void Viewport::setCamera(const Camera& camera)
 void Viewport::look(std::string_view view)
 {
     const Camera& camera = frame_.camera;
-    if (const auto named = namedView(view, document_.scene().hullPoints(), pictureSize().aspect(),
+    if (const auto named = namedView(view, framedPoints(document_.scene()), pictureSize().aspect(),
                                      camera.orthographic, camera.verticalFovDegrees))
         setCamera(*named);
 }
 
 void Viewport::fit()
 {
-    setCamera(fitted(frame_.camera, document_.scene().hullPoints(), pictureSize().aspect()));
+    setCamera(fitted(frame_.camera, framedPoints(document_.scene()), pictureSize().aspect()));
 }
 
 void Viewport::fitSelection()
@@ -190,7 +191,7 @@ void Viewport::fitSelection()
             selected.exchangeMesh(id, mesh->second);
     const bool nothing = selected.objects().empty() && selected.meshes().empty();
     const Scene& shown = nothing ? document_.scene() : selected;
-    setCamera(fitted(frame_.camera, shown.hullPoints(), pictureSize().aspect()));
+    setCamera(fitted(frame_.camera, framedPoints(shown), pictureSize().aspect()));
 }
 
 void Viewport::lookFrom(const CubePart& part)

@@ -1,6 +1,7 @@
 // The viewport's views: which one the hand works in, and what belongs to each picture by itself.
 #include <algorithm>
 
+#include "renderer/scene/framed_points.h"
 #include "ui/viewport/input.h"
 #include "ui/viewport/probe_lines.h"
 #include "ui/viewport/stroke_text.h"
@@ -95,7 +96,7 @@ void Viewport::lookAfresh()
         if (pane == panes_.current() || !panes_.isFresh(pane))
             continue;
         const auto view = panes_.startView(pane);
-        if (const auto camera = namedView(view.name, document_.scene().hullPoints(), size.aspect(),
+        if (const auto camera = namedView(view.name, framedPoints(document_.scene()), size.aspect(),
                                           view.orthographic, frame_.camera.verticalFovDegrees))
             panes_.setCamera(pane, *camera);
     }

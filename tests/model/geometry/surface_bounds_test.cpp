@@ -8,6 +8,7 @@
 
 #include "model/geometry/evaluation.h"
 #include "model/geometry/primitives.h"
+#include "tests/model/trimming/loop_samples.h"
 #include "tests/random_surface.h"
 
 namespace knotspan::testing {
@@ -115,6 +116,60 @@ TEST(SurfaceBounds, OfAHundredThousandKsQuadsTakeLessThanASecond)
         EXPECT_LT(took.count(), 1);  // measured: 0.03
         EXPECT_NEAR(box.high.x, kSpans + 2, 1e-6);
     }
+}
+
+// A disc in a plane that stands aslant, and a ring: the outer circle counts.
+TEST(SurfaceBounds, OfATrimmedPlaneAreThoseOfItsCircle)
+{
+    Mat4 aslant(1.0);
+    aslant[0] = Vec4(std::sqrt(0.5), std::sqrt(0.5), 0, 0);
+    aslant[1] = Vec4(-0.5, 0.5, std::sqrt(0.5), 0);
+    const std::vector<TrimLoop> disc{{true, {circle({0.9, 11.1}, 0.7)}}};
+    const std::vector<TrimLoop> ring{disc[0], {false, {circle({1, 11.2}, 0.3, false)}}};
+    const Vec3 centre(aslant * Vec4(0.9, 11.1, 0, 1));
+    // Along an axis a circle reaches as far as the axis leans towards its plane.
+    const Vec3 reach = 0.7 * Vec3(std::sqrt(0.5 + 0.25), std::sqrt(0.5 + 0.25), std::sqrt(0.5));
+    for (const auto& loops : {disc, ring})
+        for (const auto& surface : {flatSurface(), flatSurface({-1, 3}, {10, 12})}) {
+            const Box box = trimmedBounds(surface, loops, aslant);
+            expectNear(box.low, centre - reach, 1e-9);
+            expectNear(box.high, centre + reach, 1e-9);
+        }
+}
+
+// The top of a cap is inside its circle, the rest of its box is the circle's.
+TEST(SurfaceBounds, OfATrimmedBallHoldTheTopOfWhatIsLeft)
+{
+    const NurbsSurface ball = sphere(Vec3(0), 5.0);
+    const Vec2 at(0.31 * ball.knotsU().domainEnd(), 0.63 * ball.knotsV().domainEnd());
+    const Vec3 top = evaluate(ball, at.x, at.y).position;
+    // Turned so that this place is the highest.
+    const Vec3 up = top / 5.0;
+    const Vec3 side = Vec3(-up.y, up.x, 0) / std::hypot(up.x, up.y);
+    const Vec3 third(up.y * side.z - up.z * side.y, up.z * side.x - up.x * side.z,
+                     up.x * side.y - up.y * side.x);
+    Mat4 turn(1.0);
+    for (int k = 0; k < 3; ++k)
+        turn[k] = Vec4(side[k], third[k], up[k], 0);
+    for (const double radius : {0.3, 0.02}) {
+        const TrimCurve curve = circle(at, radius);
+        const Box box = trimmedBounds(ball, {{true, {curve}}}, turn);
+        EXPECT_NEAR(box.high.z, 5, 1e-8) << radius;
+        Box outline;
+        for (const int span : curve.knots().spans())
+            for (int k = 0; k < 2000; ++k) {
+                const double t = std::lerp(curve.knots()[span], curve.knots()[span + 1], k / 2000.0);
+                const Vec2 place = curve.evaluate(t);
+                outline.add(transformed(evaluate(ball, place.x, place.y).position, turn));
+            }
+        EXPECT_NEAR(box.low.z, outline.low.z, 1e-5 * radius);
+        for (int axis = 0; axis < 2; ++axis) {
+            EXPECT_NEAR(box.low[axis], outline.low[axis], 1e-5 * radius);
+            EXPECT_NEAR(box.high[axis], outline.high[axis], 1e-5 * radius);
+        }
+    }
+    const Box whole = surfaceBounds(ball, turn);
+    EXPECT_EQ(trimmedBounds(ball, {}, turn).low, whole.low);
 }
 
 }  // namespace
