@@ -12,7 +12,8 @@ ObjectsPanel::ObjectsPanel(Document& document, Selection& selection, QWidget* pa
 {
     setObjectName("objects");
     setAccessibleName(tr("Objects of the model"));
-    setStatusTip(tr("Click to select, tick to show, double-click to rename"));
+    // Not in the status line: under the menu Edit it would replace what a step has to say.
+    setToolTip(tr("Click to select, with Ctrl several; tick to show, double-click to rename"));
     setModel(list_);
     setSelectionMode(QAbstractItemView::ExtendedSelection);
     setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
