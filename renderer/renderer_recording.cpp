@@ -79,7 +79,7 @@ void Renderer::Parts::prepareOverlays(const Overlays& overlays)
     spaceLines.prepare(overlays.spaceLines);
     strokes.prepare(overlays.patches, overlays.strokes);
     if (overlays.normals)
-        normalLines.prepare(specialization);
+        normalLines.prepare(specialization, scene.isTrimmed());
 }
 
 // What was prepared may be of another frame than one that shows none of it.

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <map>
+#include <utility>
 
 #include "renderer/vulkan/pipeline.h"
 
@@ -13,16 +14,17 @@ class NormalLines {
 public:
     NormalLines(const Device& device, const Bindings& bindings) : device_(device), bindings_(bindings) {}
 
-    // With stages for `specialization`, whose evaluator and order are the scene's.
-    void prepare(const Specialization& specialization);
+    // With stages for `specialization`, whose evaluator and order are the scene's; which has trimmed surfaces
+    // or not.
+    void prepare(const Specialization& specialization, bool trimmed);
     // Inside a rendering, with viewport and bindings set.
     void draw(VkCommandBuffer commands, std::uint32_t ksquads) const;
 
 private:
     const Device& device_;
     const Bindings& bindings_;
-    std::map<Specialization, Pipeline> pipelines_;  // made when first needed
-    Specialization specialization_;
+    std::map<std::pair<Specialization, bool>, Pipeline> pipelines_;  // made when first needed
+    std::pair<Specialization, bool> shown_;
 };
 
 }  // namespace knotspan
