@@ -12,8 +12,7 @@ const float kHalfWidth = 1.0;
 const float kStart = 1.0;  // pixels: off the surface, through which it would show from behind
 
 #ifdef KNOTSPAN_TRIMMED
-layout(set = 0, binding = BINDING_TRIM_WORDS, scalar) readonly buffer TrimBuffer { uint trimWords[]; };
-#include "../shared/trimming.glsl"
+#include "../shared/trimming_words.glsl"
 
 const int kPlaces = 128;
 
