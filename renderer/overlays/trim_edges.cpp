@@ -22,9 +22,9 @@ TrimEdges::TrimEdges(const Device& device, Bindings& bindings)
 
 void TrimEdges::prepare(VkExtent2D extent, Specialization specialization)
 {
-    const auto tiles = [](std::uint32_t pixels) { return (pixels + TRIM_TILE - 1) / TRIM_TILE; };
+    const auto tiles = [](std::uint32_t pixels, std::uint32_t side) { return (pixels + side - 1) / side; };
     pixelCount_ = VkDeviceSize{extent.width} * extent.height;
-    tileCount_ = tiles(extent.width) * tiles(extent.height);
+    tileCount_ = tiles(extent.width, TRIM_TILE_WIDTH) * tiles(extent.height, TRIM_TILE_HEIGHT);
     bindings_.provide(BINDING_DRAWN, pixels_, kWord * ((kWordsOfAPixel + 1) * pixelCount_ + TRIM_LIST_HEAD));
     specialization.captures = false;
     specialization_ = specialization;

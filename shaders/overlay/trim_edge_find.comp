@@ -16,45 +16,79 @@ bool meets(uint here, uint beside)
     return isTrimmed(here) || isTrimmed(beside);
 }
 
-bool meetsAny(uint here, uvec3 beside)
+uint nearestTo(ivec2 pixel) { return pickedAt(clamp(pixel, ivec2(0), size - 1)); }
+
+bool meetsAnother(ivec2 pixel)
 {
-    return any(notEqual(beside, uvec3(here))) &&
-           (meets(here, beside.x) || meets(here, beside.y) || meets(here, beside.z));
+    uint here = pickedAt(pixel);
+    for (int y = -1; y <= 1; ++y)
+        for (int x = -1; x <= 1; ++x)
+            if (meets(here, nearestTo(pixel + ivec2(x, y))))
+                return true;
+    return false;
 }
 
-// Three beside each other; the picture's own border is none of a surface.
-uvec3 rowAt(ivec2 pixel)
+// Of four pixels beside each other those with a bit.
+void list(ivec2 first, uint bits)
 {
-    int y = clamp(pixel.y, 0, size.y - 1);
-    return uvec3(pickedAt(ivec2(max(pixel.x - 1, 0), y)), pickedAt(ivec2(pixel.x, y)),
-                 pickedAt(ivec2(min(pixel.x + 1, size.x - 1), y)));
-}
-
-void list(ivec2 pixel)
-{
+    const uint kThreads = uint(TRIM_LIST_THREADS);
     uint head = firstListed();
-    uint place = atomicAdd(drawn[head + 3u], 1u);
-    drawn[head + uint(TRIM_LIST_HEAD) + place] = uint(pixel.x) | uint(pixel.y) << 16u;
-    atomicMax(drawn[head], min(place / uint(TRIM_LIST_THREADS) + 1u, uint(TRIM_LIST_GROUPS)));
+    uint count = uint(bitCount(bits));
+    uint place = atomicAdd(drawn[head + 3u], count);
+    // Whose first pixel it is asks for a group.
+    uint groups = (place + count + kThreads - 1u) / kThreads;
+    if (groups != (place + kThreads - 1u) / kThreads)
+        atomicMax(drawn[head], min(groups, uint(TRIM_LIST_GROUPS)));
+    for (; bits != 0u; bits &= bits - 1u)
+        drawn[head + uint(TRIM_LIST_HEAD) + place++] = uint(first.x + findLSB(bits)) | uint(first.y) << 16u;
 }
 
-// Each thread looks at a part of a column.
+// Four pixels beside each other, and the ones left and right of them.
+struct Row {
+    uint left;
+    uvec4 four;
+    uint right;
+};
+
+Row rowAt(ivec2 at)
+{
+    return Row(nearestTo(at - ivec2(1, 0)),
+               uvec4(nearestTo(at), nearestTo(at + ivec2(1, 0)), nearestTo(at + ivec2(2, 0)), nearestTo(at + ivec2(3, 0))),
+               nearestTo(at + ivec2(4, 0)));
+}
+
+// Whether another KSQuad shows there, or beside it in that row.
+bvec4 differ(uvec4 here, Row row)
+{
+    uvec4 other = (here ^ row.four) | (here ^ uvec4(row.left, row.four.xyz)) | (here ^ uvec4(row.four.yzw, row.right));
+    return notEqual(other, uvec4(0u));
+}
+
+// Each thread goes down four columns: what it holds it needs not read again.
 void main()
 {
-    const int kRows = TRIM_TILE * TRIM_TILE / TRIM_TILE_THREADS;
-    uint tilesAcross = uint(size.x + TRIM_TILE - 1) / uint(TRIM_TILE);
+    uint tilesAcross = uint(size.x + TRIM_TILE_WIDTH - 1) / uint(TRIM_TILE_WIDTH);
     uint tile = gl_WorkGroupID.x + gl_NumWorkGroups.x * gl_WorkGroupID.y;
+    const int kAcross = TRIM_TILE_WIDTH / 4;
+    const int kRows = TRIM_TILE_HEIGHT * kAcross / TRIM_TILE_THREADS;
     int thread = int(gl_LocalInvocationID.x);
-    ivec2 at = ivec2(tile % tilesAcross, tile / tilesAcross) * TRIM_TILE + ivec2(thread % TRIM_TILE, thread / TRIM_TILE * kRows);
+    ivec2 at = ivec2(tile % tilesAcross, tile / tilesAcross) * ivec2(TRIM_TILE_WIDTH, TRIM_TILE_HEIGHT) +
+               ivec2(thread % kAcross * 4, thread / kAcross * kRows);
     int end = min(at.y + kRows, size.y);
     if (at.x >= size.x)
         return;
-    uvec3 above = rowAt(at - ivec2(0, 1));
-    uvec3 row = rowAt(at);
+    Row above = rowAt(at - ivec2(0, 1));
+    Row row = rowAt(at);
     for (; at.y < end; ++at.y) {
-        uvec3 below = rowAt(at + ivec2(0, 1));
-        if (meetsAny(row.y, above) || meetsAny(row.y, row) || meetsAny(row.y, below))
-            list(at);
+        Row below = rowAt(at + ivec2(0, 1));
+        bvec4 differs = bvec4(uvec4(differ(row.four, above)) | uvec4(differ(row.four, row)) | uvec4(differ(row.four, below)));
+        uint bits = 0u;
+        if (any(differs))
+            for (int k = 0; k < 4; ++k)
+                if (differs[k] && at.x + k < size.x && meetsAnother(at + ivec2(k, 0)))
+                    bits |= 1u << k;
+        if (bits != 0u)
+            list(at, bits);
         above = row;
         row = below;
     }

@@ -2,7 +2,8 @@
 #ifndef KNOTSPAN_TRIM_TILES_H
 #define KNOTSPAN_TRIM_TILES_H
 
-#define TRIM_TILE 32  // pixels on a side
+#define TRIM_TILE_WIDTH 32  // pixels
+#define TRIM_TILE_HEIGHT 128
 #define TRIM_TILE_THREADS 64
 #define TRIM_LIST_HEAD 4  // words before a list's pixels
 #define TRIM_LIST_THREADS 64
