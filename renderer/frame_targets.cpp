@@ -111,60 +111,67 @@ void FrameTargets::start(VkCommandBuffer commands, bool fresh)
     vkCmdSetScissor(commands, 0, 1, &info.renderArea);
 }
 
-void FrameTargets::pause(VkCommandBuffer commands, const Copies& copies)
+void FrameTargets::pause(VkCommandBuffer commands, Copied copied)
 {
-    constexpr VkAccessFlags2 kDepth =
-        VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT | VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT;
-    constexpr VkAccessFlags2 kColour =
-        VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT;
-    constexpr VkPipelineStageFlags2 kColours = VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT;
-    constexpr VkPipelineStageFlags2 kReaders =
-        VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_2_ALL_GRAPHICS_BIT;
-    constexpr VkPipelineStageFlags2 kTransfer = VK_PIPELINE_STAGE_2_TRANSFER_BIT;
-    const bool withPixels = copies.pixels != VK_NULL_HANDLE;
+    copied_ = copied;
     vkCmdEndRendering(commands);
-    depth_.transition(commands, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, kDepthTests, kDepth, kTransfer,
-                      VK_ACCESS_2_TRANSFER_READ_BIT);
-    if (withPixels)
-        for (Image* image : {&colour_, &indices_})
-            image->transition(commands, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, kColours, kColour, kTransfer,
-                              VK_ACCESS_2_TRANSFER_READ_BIT);
+    transition(commands, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
     // What is made next takes the place of what the drawing stages have read and counted.
     memoryBarrier(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_WRITE_BIT,
                   VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
                   VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT);
-    copyPart(commands, depth_, VK_IMAGE_ASPECT_DEPTH_BIT, {{0, 0}, extent_}, copies.depths,
-             copies.depthsFrom);
-    if (withPixels) {
-        copyPart(commands, colour_, VK_IMAGE_ASPECT_COLOR_BIT, {{0, 0}, extent_}, copies.pixels, 0);
-        copyPart(commands, indices_, VK_IMAGE_ASPECT_COLOR_BIT, {{0, 0}, extent_}, copies.pixels,
-                 copies.shownFrom);
-    }
-    memoryBarrier(commands, kTransfer, VK_ACCESS_2_TRANSFER_WRITE_BIT, kReaders,
-                  VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT);
-    depth_.transition(commands, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, kTransfer,
-                      VK_ACCESS_2_TRANSFER_READ_BIT, kDepthTests, kDepth);
-    if (withPixels)
-        for (Image* image : {&colour_, &indices_})
-            image->transition(commands, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, kTransfer,
-                              VK_ACCESS_2_TRANSFER_READ_BIT, kColours, kColour);
 }
 
-void FrameTargets::put(VkCommandBuffer commands, VkBuffer colours)
+// Of the images that are copied: into that layout, or back into the ones that are drawn into.
+void FrameTargets::transition(VkCommandBuffer commands, VkImageLayout layout)
 {
+    constexpr VkPipelineStageFlags2 kTransfer = VK_PIPELINE_STAGE_2_TRANSFER_BIT;
+    constexpr VkAccessFlags2 kCopies = VK_ACCESS_2_TRANSFER_READ_BIT | VK_ACCESS_2_TRANSFER_WRITE_BIT;
+    constexpr VkAccessFlags2 kDepth =
+        VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT | VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT;
     constexpr VkPipelineStageFlags2 kColours = VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT;
     constexpr VkAccessFlags2 kColour =
         VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT;
-    colour_.transition(commands, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, kColours, kColour,
-                       VK_PIPELINE_STAGE_2_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT);
-    const VkBufferImageCopy copy = copyOf(VK_IMAGE_ASPECT_COLOR_BIT, {{0, 0}, extent_}, 0);
+    const bool isBack = layout == VK_IMAGE_LAYOUT_ATTACHMENT_OPTIMAL;
+    const auto move = [&](Image& image, VkImageLayout drawn, VkPipelineStageFlags2 stages,
+                          VkAccessFlags2 access) {
+        if (isBack)
+            image.transition(commands, drawn, kTransfer, kCopies, stages, access);
+        else
+            image.transition(commands, layout, stages, access, kTransfer, kCopies);
+    };
+    move(depth_, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, kDepthTests, kDepth);
+    if (copied_ == Copied::depths)
+        return;
+    for (Image* image : {&colour_, &indices_})
+        move(*image, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, kColours, kColour);
+}
+
+void FrameTargets::copy(VkCommandBuffer commands, const Rows& rows)
+{
+    const VkRect2D part{{0, static_cast<std::int32_t>(rows.first)}, {extent_.width, rows.count}};
+    copyPart(commands, depth_, VK_IMAGE_ASPECT_DEPTH_BIT, part, rows.to, rows.depths);
+    if (copied_ == Copied::all) {
+        copyPart(commands, colour_, VK_IMAGE_ASPECT_COLOR_BIT, part, rows.to, rows.colours);
+        copyPart(commands, indices_, VK_IMAGE_ASPECT_COLOR_BIT, part, rows.to, rows.shown);
+    }
+    memoryBarrier(commands, VK_PIPELINE_STAGE_2_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
+                  VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_2_ALL_GRAPHICS_BIT,
+                  VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT);
+}
+
+void FrameTargets::put(VkCommandBuffer commands, VkBuffer colours, VkDeviceSize offset)
+{
+    constexpr VkPipelineStageFlags2 kTransfer = VK_PIPELINE_STAGE_2_TRANSFER_BIT;
+    colour_.transition(commands, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, kTransfer,
+                       VK_ACCESS_2_TRANSFER_READ_BIT, kTransfer, VK_ACCESS_2_TRANSFER_WRITE_BIT);
+    const VkBufferImageCopy copy = copyOf(VK_IMAGE_ASPECT_COLOR_BIT, {{0, 0}, extent_}, offset);
     vkCmdCopyBufferToImage(commands, colours, colour_.get(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &copy);
-    colour_.transition(commands, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, VK_PIPELINE_STAGE_2_TRANSFER_BIT,
-                       VK_ACCESS_2_TRANSFER_WRITE_BIT, kColours, kColour);
 }
 
 void FrameTargets::resume(VkCommandBuffer commands)
 {
+    transition(commands, VK_IMAGE_LAYOUT_ATTACHMENT_OPTIMAL);
     // What was drawn before the pause is drawn over.
     memoryBarrier(commands, VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
                   VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT, VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,

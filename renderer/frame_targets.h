@@ -18,19 +18,23 @@ public:
     // copied.
     void begin(VkCommandBuffer commands);
     void end(VkCommandBuffer commands);
-    // Between begin() and end(): nothing is drawn until resume(), and buffers get each pixel's depth so far,
-    // and where one is named its colour and what it shows (eight bytes, pixel_place.glsl). All stages may
-    // read them.
-    struct Copies {
-        VkBuffer depths;
-        VkDeviceSize depthsFrom = 0;
-        VkBuffer pixels = VK_NULL_HANDLE;
-        VkDeviceSize shownFrom = 0;
+    // Between begin() and end(): nothing is drawn until resume(), and what was so far can be copied.
+    enum class Copied { depths, all };
+    void pause(VkCommandBuffer commands, Copied copied);
+    // Some rows, and where in a buffer each pixel's depth goes, four bytes; with Copied::all its colour, four
+    // bytes, and what it shows, eight (pixel_place.glsl), too. All stages may read them.
+    struct Rows {
+        std::uint32_t first;
+        std::uint32_t count;
+        VkBuffer to;
+        VkDeviceSize depths;
+        VkDeviceSize colours;
+        VkDeviceSize shown;
     };
-    void pause(VkCommandBuffer commands, const Copies& copies);
+    void copy(VkCommandBuffer commands, const Rows& rows);
+    // With Copied::all, after the last copy: other colours for the whole picture.
+    void put(VkCommandBuffer commands, VkBuffer colours, VkDeviceSize offset);
     void resume(VkCommandBuffer commands);
-    // While paused: other colours, as pause() copies them.
-    void put(VkCommandBuffer commands, VkBuffer colours);
 
     [[nodiscard]] KsQuadIndices readKsQuads() const;
     struct Pixel {
@@ -42,6 +46,7 @@ public:
 
 private:
     void start(VkCommandBuffer commands, bool fresh);
+    void transition(VkCommandBuffer commands, VkImageLayout layout);
 
     const Device& device_;
     VkExtent2D extent_;
@@ -49,6 +54,7 @@ private:
     Image indices_;
     Image depth_;
     Buffer onePixel_;
+    Copied copied_ = Copied::depths;
 };
 
 // Of an image that can be copied, four bytes a pixel.

@@ -34,7 +34,8 @@ void Renderer::Parts::record(VkCommandBuffer commands, const Frame& frame, const
     if (anything)
         drawMade();
     if (anything && path.tiles() && isByOcclusion(frame)) {
-        targets->pause(commands, {pyramid.pixels()});
+        targets->pause(commands, FrameTargets::Copied::depths);
+        targets->copy(commands, {0, targets->extent().height, pyramid.pixels(), 0, 0, 0});
         clock.lap(commands, GpuStage::drawing);
         bindings.bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE);
         pyramid.record(commands, counters.buffer(), offsetof(gpu::Counters, pyramidLevel));
@@ -47,10 +48,11 @@ void Renderer::Parts::record(VkCommandBuffer commands, const Frame& frame, const
     bindings.bind(commands, VK_PIPELINE_BIND_POINT_GRAPHICS);
     meshes.draw(commands, frame.camera, frame.overlays.highlighted);
     if (hasTrimEdges(frame)) {
-        targets->pause(commands, {trimEdges.pixels(), trimEdges.depthsFrom(), trimEdges.pixels(),
-                                  trimEdges.shownFrom()});
-        trimEdges.record(commands);
-        targets->put(commands, trimEdges.pixels());
+        targets->pause(commands, FrameTargets::Copied::all);
+        const TrimEdges::Colours smooth = trimEdges.record(commands, [&](const TrimEdges::Rows& rows) {
+            targets->copy(commands, {rows.first, rows.count, rows.to, rows.depths, rows.colours, rows.shown});
+        });
+        targets->put(commands, smooth.buffer, smooth.offset);
         targets->resume(commands);
     }
     if (anything && frame.cullingCamera)

@@ -1,34 +1,37 @@
-// What was drawn so far: of each pixel its colour, then of each its depth, then what it shows (pickedOf); then the list of
-// pixels where trimmed surfaces may end.
+// What was drawn so far, of some rows of the picture: after a head (trim_tiles.h) of each pixel its colour, then of each its depth,
+// then what it shows (pickedOf); then the list of pixels where trimmed surfaces may end, each x + 2^16 y.
 #ifndef KNOTSPAN_DRAWN_PIXELS_GLSL
 #define KNOTSPAN_DRAWN_PIXELS_GLSL
 
 #include "../shared/scene.glsl"
 #include "../shared/trim_tiles.h"
-#include "../surface/pixel_place.glsl"
+#include "../shared/pixel_place.glsl"
 
 layout(set = 0, binding = BINDING_DRAWN, scalar) buffer DrawnBuffer { uint drawn[]; };
 
-ivec2 size = ivec2(frame.pixels);
+ivec2 size = ivec2(frame.pixels.x, drawn[TRIM_HEAD_ROWS]);
 
 uint numberOf(ivec2 pixel) { return uint(pixel.y * size.x + pixel.x); }
-uint colourAt(ivec2 pixel) { return drawn[numberOf(pixel)]; }
 uint pixels() { return uint(size.x * size.y); }
-float depthAt(ivec2 pixel) { return uintBitsToFloat(drawn[pixels() + numberOf(pixel)]); }
-uint pickedAt(ivec2 pixel) { return drawn[2u * (pixels() + numberOf(pixel))]; }
-uint placeAt(ivec2 pixel) { return drawn[2u * (pixels() + numberOf(pixel)) + 1u]; }
+uint colourWord(ivec2 pixel) { return uint(TRIM_HEAD) + numberOf(pixel); }
+uint shownWord(ivec2 pixel) { return uint(TRIM_HEAD) + 2u * (pixels() + numberOf(pixel)); }
+uint colourAt(ivec2 pixel) { return drawn[colourWord(pixel)]; }
+float depthAt(ivec2 pixel) { return uintBitsToFloat(drawn[uint(TRIM_HEAD) + pixels() + numberOf(pixel)]); }
+uint pickedAt(ivec2 pixel) { return drawn[shownWord(pixel)]; }
+uint placeAt(ivec2 pixel) { return drawn[shownWord(pixel) + 1u]; }
+// In the picture.
+vec2 centreOf(ivec2 pixel) { return vec2(pixel) + vec2(0.5, float(drawn[TRIM_HEAD_FIRST_ROW]) + 0.5); }
 bool isInPicture(ivec2 pixel) { return all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, size)); }
 
 // Where a pixel's result waits: nobody asks any more where in the KSQuad it lies.
-void setResult(ivec2 pixel, uint colour) { drawn[2u * (pixels() + numberOf(pixel)) + 1u] = colour; }
+void setResult(ivec2 pixel, uint colour) { drawn[shownWord(pixel) + 1u] = colour; }
 uint resultAt(ivec2 pixel) { return placeAt(pixel); }
 
-// The list: groups along x, y and z that work on it, how many there are, and then each pixel, x + 2^16 y.
-uint firstListed() { return 4u * pixels(); }
-uint listedCount() { return drawn[firstListed() + 3u]; }
+uint firstListed() { return uint(TRIM_HEAD) + 4u * pixels(); }
+uint listedCount() { return drawn[TRIM_HEAD_COUNT]; }
 ivec2 listedPixel(uint k)
 {
-    uint listed = drawn[firstListed() + uint(TRIM_LIST_HEAD) + k];
+    uint listed = drawn[firstListed() + k];
     return ivec2(listed & 0xffffu, listed >> 16u);
 }
 

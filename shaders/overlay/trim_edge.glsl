@@ -5,7 +5,7 @@
 
 #include "../shared/trim_edge_code.glsl"
 #include "../shared/trimming_words.glsl"
-#include "../surface/pixel_aim.glsl"
+#include "../shared/pixel_aim.glsl"
 
 // Pixels along kTrimSides; where it is above TRIM_EDGE_REACH nobody asks.
 #define FAR_FROM_EDGES vec4(2.0)

@@ -15,8 +15,8 @@ void main()
         uint picked = pickedAt(pixel);
         if (picked == 0u || trimWords[picked - 1u] == TRIM_WHOLE)
             continue;
-        uint code = trimEdgeCodeAt(placeOf(uvec2(picked, placeAt(pixel))), vec2(pixel) + 0.5);
-        uint at = numberOf(pixel);
+        uint code = trimEdgeCodeAt(placeOf(uvec2(picked, placeAt(pixel))), centreOf(pixel));
+        uint at = colourWord(pixel);
         drawn[at] = (drawn[at] & 0xffffffu) | code << 24u;
     }
 }

@@ -32,15 +32,14 @@ bool meetsAnother(ivec2 pixel)
 void list(ivec2 first, uint bits)
 {
     const uint kThreads = uint(TRIM_LIST_THREADS);
-    uint head = firstListed();
     uint count = uint(bitCount(bits));
-    uint place = atomicAdd(drawn[head + 3u], count);
+    uint place = atomicAdd(drawn[TRIM_HEAD_COUNT], count);
     // Whose first pixel it is asks for a group.
     uint groups = (place + count + kThreads - 1u) / kThreads;
     if (groups != (place + kThreads - 1u) / kThreads)
-        atomicMax(drawn[head], min(groups, uint(TRIM_LIST_GROUPS)));
+        atomicMax(drawn[0], min(groups, uint(TRIM_LIST_GROUPS)));
     for (; bits != 0u; bits &= bits - 1u)
-        drawn[head + uint(TRIM_LIST_HEAD) + place++] = uint(first.x + findLSB(bits)) | uint(first.y) << 16u;
+        drawn[firstListed() + place++] = uint(first.x + findLSB(bits)) | uint(first.y) << 16u;
 }
 
 // Four pixels beside each other, and the ones left and right of them.
@@ -53,7 +52,8 @@ struct Row {
 Row rowAt(ivec2 at)
 {
     return Row(nearestTo(at - ivec2(1, 0)),
-               uvec4(nearestTo(at), nearestTo(at + ivec2(1, 0)), nearestTo(at + ivec2(2, 0)), nearestTo(at + ivec2(3, 0))),
+               uvec4(nearestTo(at), nearestTo(at + ivec2(1, 0)), nearestTo(at + ivec2(2, 0)),
+                     nearestTo(at + ivec2(3, 0))),
                nearestTo(at + ivec2(4, 0)));
 }
 
@@ -81,11 +81,11 @@ void main()
     Row row = rowAt(at);
     for (; at.y < end; ++at.y) {
         Row below = rowAt(at + ivec2(0, 1));
-        bvec4 differs = bvec4(uvec4(differ(row.four, above)) | uvec4(differ(row.four, row)) | uvec4(differ(row.four, below)));
+        uvec4 differs = uvec4(differ(row.four, above)) | uvec4(differ(row.four, row)) | uvec4(differ(row.four, below));
         uint bits = 0u;
-        if (any(differs))
+        if (differs != uvec4(0u))
             for (int k = 0; k < 4; ++k)
-                if (differs[k] && at.x + k < size.x && meetsAnother(at + ivec2(k, 0)))
+                if (differs[k] != 0u && at.x + k < size.x && meetsAnother(at + ivec2(k, 0)))
                     bits |= 1u << k;
         if (bits != 0u)
             list(at, bits);

@@ -11,6 +11,6 @@ void main()
     uint count = listedCount();
     for (uint k = gl_GlobalInvocationID.x; k < count; k += gl_NumWorkGroups.x * uint(TRIM_LIST_THREADS)) {
         ivec2 pixel = listedPixel(k);
-        drawn[numberOf(pixel)] = resultAt(pixel);
+        drawn[colourWord(pixel)] = resultAt(pixel);
     }
 }

@@ -5,8 +5,16 @@
 #define TRIM_TILE_WIDTH 32  // pixels
 #define TRIM_TILE_HEIGHT 128
 #define TRIM_TILE_THREADS 64
-#define TRIM_LIST_HEAD 4  // words before a list's pixels
 #define TRIM_LIST_THREADS 64
 #define TRIM_LIST_GROUPS 65535  // no more at once; threads take several pixels
+
+// Words before those of pixels: groups along x, y and z that work on the list, how many pixels it has, the first of the
+// picture's rows that are looked at together, and how many.
+#define TRIM_HEAD 8
+#define TRIM_HEAD_COUNT 3
+#define TRIM_HEAD_FIRST_ROW 4
+#define TRIM_HEAD_ROWS 5
+// Rows that a pixel's colour may depend on, above it and below.
+#define TRIM_ROWS_BESIDE 4
 
 #endif

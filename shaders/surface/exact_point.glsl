@@ -3,7 +3,7 @@
 // Nothing here or in looks.glsl takes differences between pixels: at a triangle's edge the pixels beside it are of no use
 // (the software driver does not run loops for them), and derivatives of the surface say it exactly.
 
-#include "pixel_aim.glsl"
+#include "../shared/pixel_aim.glsl"
 
 // In eye-relative view space.
 struct ExactPoint {

@@ -4,7 +4,7 @@
 layout(location = 0) out vec4 outColour;   // sRGB, encoded here
 layout(location = 1) out uvec2 outPicked;  // pickedOf()
 
-#include "pixel_place.glsl"
+#include "../shared/pixel_place.glsl"
 
 // Where a place on a triangle is: a triangle of a whole surface lies on several KSQuads.
 PixelPlace pixelPlace(vec2 t)

@@ -6,7 +6,7 @@
 // the pixels beside a triangle.
 #ifdef KNOTSPAN_TRIMMED
 #include "../shared/trimming_words.glsl"
-#include "pixel_aim.glsl"
+#include "../shared/pixel_aim.glsl"
 
 // A flat surface's triangles are the surface itself.
 bool isFlat(uint surface) { return max(surfaces[surface].degreeU, surfaces[surface].degreeV) == 1u; }
