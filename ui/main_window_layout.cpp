@@ -148,9 +148,10 @@ void MainWindow::makeMenus()
         }
         if (menuName == "view") {
             menu.addSeparator();
+            QMenu& panels = *menu.addMenu(tr("&Panels"));  // so that the menu is no taller than small screens
             for (QDockWidget* panel : panels_)
-                menu.addAction(panel->toggleViewAction());
-            menu.addAction(toolBar_->toggleViewAction());
+                panels.addAction(panel->toggleViewAction());
+            panels.addAction(toolBar_->toggleViewAction());
         }
     }
 }
