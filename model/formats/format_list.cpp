@@ -13,6 +13,7 @@
 #include "model/formats/knotspan_format.h"
 #include "model/formats/loop_notes.h"
 #include "model/formats/obj_format.h"
+#include "model/formats/written_loops.h"
 #include "model/mesh_files/mesh_formats.h"
 
 namespace knotspan::formats {
@@ -103,8 +104,9 @@ Result<void> writeUnnamed(const Scene& scene, const fs::path& path)
     if (!format)
         return tl::unexpected(format.error());
     try {
-        return replaceFile(path,
-                           [&](const fs::path& temporary) { return (*format)->write(scene, temporary); });
+        return replaceFile(path, [&](const fs::path& temporary) {
+            return (*format)->write((*format)->isOwn ? scene : withLoopsAsShown(scene), temporary);
+        });
     } catch (const std::bad_alloc&) {
         return failure("Writing the model needs more memory than there is",
                        "Close other programs and try again");

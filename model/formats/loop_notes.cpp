@@ -5,6 +5,7 @@
 #include <map>
 
 #include "model/trimming/loop_crossings.h"
+#include "model/trimming/trim_index.h"
 
 namespace knotspan::formats {
 namespace {
@@ -13,7 +14,7 @@ constexpr double kSpokenShare = 1e-4;
 constexpr size_t kNamed = 3;
 
 // In the order of the sentences.
-enum class Kind { open, crossing, around, outside, twice, gaps, empty, beyond };
+enum class Kind { open, nothing, crossing, around, outside, twice, gaps, empty, beyond };
 
 struct Some {
     std::vector<std::string> names;  // of the surfaces, each once
@@ -66,12 +67,25 @@ std::string nextStep(Kind kind)
     case Kind::twice:
         return " If that is not meant, mend it in the program that made the file, or use Fill holes or "
                "Untrim.";
+    case Kind::nothing:
+        return " Untrim it to see it whole, or delete it.";
     case Kind::gaps:
     case Kind::empty:
     case Kind::beyond:
         return {};
     }
     return {};
+}
+
+bool leavesNothing(const TrimRegion& region)
+{
+    const auto index = TrimIndex::create(region);
+    if (!index || !region.isTrimmed())
+        return false;
+    for (std::uint32_t k = 0; k < index->ksquadCount(); ++k)
+        if (index->classOf(k) != KsQuadTrim::outside)
+            return false;
+    return true;
 }
 
 std::string sentenceOf(Kind kind, const Some& some)
@@ -85,6 +99,8 @@ std::string sentenceOf(Kind kind, const Some& some)
         case Kind::open:
             return has + "trim loops that do not close (by up to " + spoken(some.share) + ") and" + is +
                    "shown whole";
+        case Kind::nothing:
+            return has + "trim loops that leave nothing of it, and" + is + "not shown";
         case Kind::crossing:
             return has + "trim loops that cross; what lies in two of them, or twice in one, is cut out, the "
                          "rest is shown";
@@ -124,6 +140,16 @@ std::vector<std::string> loopNotes(const Scene& scene)
             continue;
         const std::string name = object->name.empty() ? "Surface " + std::to_string(number) : object->name;
         const TrimRegion region(object->trimLoops, object->surface);
+        const bool mayBeGone =
+            std::any_of(region.findings().begin(), region.findings().end(), [](const LoopFinding& finding) {
+                return finding.trouble == LoopTrouble::enclosesNothing ||
+                       finding.trouble == LoopTrouble::twice || finding.trouble == LoopTrouble::empty ||
+                       (finding.trouble == LoopTrouble::beyond && finding.share > kSpokenShare);
+            });
+        if (mayBeGone && leavesNothing(region)) {
+            add(found, Kind::nothing, name, 0);
+            continue;
+        }
         for (const LoopFinding& finding : region.findings())
             add(found, finding, name);
         if (!crossingsOf(region).empty())

@@ -1,6 +1,9 @@
 #include "model/formats/mesh_export.h"
 
 #include <algorithm>
+#include <numeric>
+#include <optional>
+#include <set>
 
 #include "model/analysis/surface_bounds.h"
 #include "model/files/file_replacement.h"
@@ -8,6 +11,7 @@
 #include "model/mesh/deviation_measuring.h"
 #include "model/mesh/placed_meshes.h"
 #include "model/mesh/tessellation.h"
+#include "model/mesh_files/mesh_building.h"
 
 namespace knotspan::formats {
 
@@ -91,9 +95,40 @@ MeshDeviation deviationOf(Made& made, const TriangleMesh& mesh, const Scene& sce
     return measuredDeviation(made.surfaces, scene, angles);
 }
 
-// Compares what was read with what was meant.
-Result<void> isSameMesh(const TriangleMesh& mesh, const TriangleMesh& back)
+// Files that repeat vertices are read with one at each place: bodies that touch share it. Nothing where that
+// would join vertices of one body.
+std::optional<TriangleMesh> joinedBodies(const TriangleMesh& mesh)
 {
+    std::vector<std::uint32_t> body(mesh.vertices.size());
+    std::iota(body.begin(), body.end(), 0U);
+    const auto find = [&](std::uint32_t k) {
+        while (body[k] != k)
+            k = body[k] = body[body[k]];
+        return k;
+    };
+    for (const Triangle& triangle : mesh.triangles)
+        for (const std::uint32_t corner : triangle)
+            body[find(corner)] = find(triangle[0]);
+    MeshBuilding building;
+    std::vector<std::uint32_t> numbers;
+    std::set<std::pair<std::uint32_t, std::uint32_t>> taken;  // a place, and a body that has a vertex there
+    for (std::uint32_t k = 0; k < mesh.vertices.size(); ++k) {
+        numbers.push_back(building.weldedVertex(mesh.vertices[k]));
+        if (!taken.insert({numbers.back(), find(k)}).second)
+            return std::nullopt;
+    }
+    for (const Triangle& triangle : mesh.triangles) {
+        const std::uint32_t corners[] = {numbers[triangle[0]], numbers[triangle[1]], numbers[triangle[2]]};
+        building.polygon(corners);
+    }
+    return building.take();
+}
+
+// Compares what was read with what was meant.
+Result<void> isSameMesh(const TriangleMesh& made, const TriangleMesh& back, bool repeatsVertices)
+{
+    const auto joined = repeatsVertices ? joinedBodies(made) : std::nullopt;
+    const TriangleMesh& mesh = joined ? *joined : made;
     const MeshTopology meant = topologyOf(mesh);
     const MeshTopology read = topologyOf(back);
     if (back.triangles.size() != mesh.triangles.size() || read.edges != meant.edges ||
@@ -140,7 +175,7 @@ Result<MeshExportReport> exportMesh(const Scene& scene, const std::filesystem::p
         if (!back)
             return tl::unexpected(back.error());
         read = *std::move(back);
-        return isSameMesh(made->mesh, read);
+        return isSameMesh(made->mesh, read, options.kind == MeshKind::stl || options.kind == MeshKind::glb);
     };
     if (const auto written = replaceFile(path, write); !written)
         return tl::unexpected(written.error().at(path.string()));

@@ -5,6 +5,7 @@
 
 #include "model/core/check.h"
 #include "model/files/file_replacement.h"
+#include "model/formats/written_loops.h"
 
 namespace knotspan::formats {
 
@@ -33,11 +34,12 @@ bool haveSameMeshes(const Scene& scene, const Scene& back)
 
 }  // namespace
 
-Result<SceneDifference> writeVerified(const Scene& scene, const std::filesystem::path& path)
+Result<SceneDifference> writeVerified(const Scene& wanted, const std::filesystem::path& path)
 {
     const Format* format = find(path);
     check(format != nullptr && format->write != nullptr && format->read != nullptr,
           "verified files are of a format that is written and read");
+    const Scene scene = format->isOwn ? wanted : withLoopsAsShown(wanted);
     SceneDifference difference;
     const auto write = [&](const std::filesystem::path& temporary) -> Result<void> {
         if (auto written = format->write(scene, temporary); !written)

@@ -63,6 +63,13 @@ TEST(LoopNotes, SayNothingOfHolesInOutlinesWhicheverWayTheyRun)
     EXPECT_EQ(noteOf({square(0.1, 0.4, true), square(0.6, 0.9, true), square(0.7, 0.8, false)}), "");
 }
 
+TEST(LoopNotes, TellWhereNothingIsLeft)
+{
+    const std::string gone = "1 surface has trim loops that leave nothing of it, and is not shown: plate. Untrim";
+    EXPECT_EQ(noteOf({{true, {}}}).substr(0, gone.size()), gone);
+    EXPECT_EQ(noteOf({square(1.2, 1.4, true)}).substr(0, gone.size()), gone);
+}
+
 TEST(LoopNotes, TellOfAHoleThatIsThereTwice)
 {
     TrimLoop again = square(0.3, 0.5, false);
