@@ -23,9 +23,17 @@ uint placeAt(ivec2 pixel) { return drawn[shownWord(pixel) + 1u]; }
 vec2 centreOf(ivec2 pixel) { return vec2(pixel) + vec2(0.5, float(drawn[TRIM_HEAD_FIRST_ROW]) + 0.5); }
 bool isInPicture(ivec2 pixel) { return all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, size)); }
 
-// Where a pixel's result waits: nobody asks any more where in the KSQuad it lies.
-void setResult(ivec2 pixel, uint colour) { drawn[shownWord(pixel) + 1u] = colour; }
-uint resultAt(ivec2 pixel) { return placeAt(pixel); }
+// Where trimmed surfaces end in listed pixels takes the place of where in the KSQuad they lie; a colour's opacity says whether
+// that was found. Then nobody asks any more which KSQuad shows, and a pixel's result waits there.
+void setCode(ivec2 pixel, uint code)
+{
+    drawn[shownWord(pixel) + 1u] = code;
+    drawn[colourWord(pixel)] &= 0xffffffu;
+}
+bool hasCode(ivec2 pixel) { return colourAt(pixel) >> 24 == 0u; }
+uint codeAt(ivec2 pixel) { return drawn[shownWord(pixel) + 1u]; }
+void setResult(ivec2 pixel, uint colour) { drawn[shownWord(pixel)] = colour; }
+uint resultAt(ivec2 pixel) { return drawn[shownWord(pixel)]; }
 
 uint firstListed() { return uint(TRIM_HEAD) + 4u * pixels(); }
 uint listedCount() { return drawn[TRIM_HEAD_COUNT]; }

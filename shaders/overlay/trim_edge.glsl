@@ -152,30 +152,28 @@ uint trimEdgeCodeAt(PixelPlace shown, vec2 centre)
     if (word >= TRIM_RECORDS)
         found = placeInLoops(word, clamp(place.t, 0.0, 1.0), inverse(along),
                              TRIM_EDGE_REACH * (abs(along[0]) + abs(along[1])));
-    float nearest = 2.0;
-    int side = 0;
+    vec4 distances = found.distances;
     for (int k = 0; k < 4; ++k) {
         vec2 way = (k & 1) != 0 ? -along[k >> 1] : along[k >> 1];
         vec2 end = place.t + way;
-        float distance = found.distances[k];
-        if (distance > TRIM_EDGE_REACH && any(notEqual(end, clamp(end, 0.0, 1.0))))
-            distance = distanceBeyond(surface, place, way);
-        // Where both axes are as good, all pixels along the border take the same.
-        if (distance < nearest - (k < 2 ? 0.0 : kAsGood)) {
-            nearest = distance;
-            side = k;
-        }
+        if (distances[k] > TRIM_EDGE_REACH && any(notEqual(end, clamp(end, 0.0, 1.0))))
+            distances[k] = distanceBeyond(surface, place, way);
     }
-    if (nearest > TRIM_EDGE_REACH || determinant(along) == 0.0)
+    if (determinant(along) == 0.0)
         return TRIM_EDGE_FAR;
-    if (nearest < kAsGood || !found.inside) {
+    int side = nearestTrimSide(distances);
+    if (distances[side] < kAsGood || (!found.inside && distances[side] <= TRIM_EDGE_REACH)) {
         // The centre is as good as on the border, so that rounding chose between the two ways.
         vec2 way = (side & 1) != 0 ? -along[side >> 1] : along[side >> 1];
         PixelPlace end = stepped(surface, place, way);
-        if (all(equal(end.t, clamp(end.t, 0.0, 1.0))) && trimContains(end.ksquad, end.t))
-            side ^= 1;
+        if (all(equal(end.t, clamp(end.t, 0.0, 1.0))) && trimContains(end.ksquad, end.t)) {
+            distances[side ^ 1] = found.inside ? distances[side] : 0.0;
+            distances[side] = 2.0;
+        } else if (!found.inside) {
+            distances[side] = 0.0;
+        }
     }
-    return trimEdgeCode(side, found.inside ? nearest : 0.0);
+    return trimEdgeCode(distances);
 }
 
 #endif

@@ -1,5 +1,5 @@
 // Smooths where trimmed surfaces end: of a pixel that the border runs through, what the surface covers, and of the rest the
-// pixel beyond. Which pixels those are the opacity says (trim_edge_codes.comp). The results become the pixels' colours once
+// pixel beyond. Which pixels those are trim_edge_codes.comp found. The results become the pixels' colours once
 // all are there (trim_edge_put.comp).
 #version 460
 #extension GL_GOOGLE_include_directive : require
@@ -24,7 +24,7 @@ bool isBehind(ivec2 pixel, ivec2 side)
 // How many of the two say that they end near there.
 int endings(ivec2 pixel, ivec2 side)
 {
-    return int(colourAt(pixel - side) >> 24 != TRIM_EDGE_FAR) + int(colourAt(pixel + side) >> 24 != TRIM_EDGE_FAR);
+    return int(hasCode(pixel - side)) + int(hasCode(pixel + side));
 }
 
 // A trimmed surface ends exactly at its loop. Its neighbour's triangles end up to the tolerance before theirs, which goes
@@ -36,14 +36,21 @@ vec3 besideAt(ivec2 pixel, ivec2 side) { return rgbAt(isBetween(pixel, side) ? p
 
 vec3 blended(ivec2 here)
 {
-    uint own = colourAt(here);
-    TrimEdge edge = trimEdgeOf(own >> 24);
-    vec3 colour = unpackUnorm4x8(own).rgb;
-    if (edge.isNear && edge.distance < 0.5) {
-        ivec2 beyond = here + edge.side;
-        if (isInPicture(beyond))
-            colour = mix(besideAt(beyond, edge.side), colour, 0.5 + edge.distance);
-        return colour;
+    vec3 colour = rgbAt(here);
+    vec4 own = hasCode(here) ? trimEdgeOf(codeAt(here)) : vec4(2.0);
+    int nearest = nearestTrimSide(own);
+    if (own[nearest] < 0.5) {
+        // Of a strip thinner than a pixel both sides are.
+        vec3 sum = vec3(0.0);
+        float beside = 0.0;
+        for (int k = nearest & 2; k < (nearest & 2) + 2; ++k) {
+            ivec2 beyond = here + kTrimSides[k];
+            if (own[k] >= 0.5 || !isInPicture(beyond))
+                continue;
+            sum += (0.5 - own[k]) * besideAt(beyond, kTrimSides[k]);
+            beside += 0.5 - own[k];
+        }
+        return (1.0 - beside) * colour + sum;
     }
     // What shows between two that meet: from each of four sides to the other one.
     const ivec2 kAcross[4] = ivec2[4](ivec2(1, 0), ivec2(0, 1), ivec2(1, 1), ivec2(1, -1));
@@ -71,8 +78,8 @@ vec3 blended(ivec2 here)
             ivec2 from = here - kTrimSides[k];
             if (!isInPicture(from) || depthAt(from) < depthAt(here))
                 continue;
-            TrimEdge reaching = trimEdgeOf(colourAt(from) >> 24);
-            float by = reaching.isNear && reaching.side == kTrimSides[k] ? max(reaching.distance - 0.5, 0.0) : 0.0;
+            float distance = hasCode(from) ? trimEdgeOf(codeAt(from))[k] : 2.0;
+            float by = distance <= TRIM_EDGE_REACH ? max(distance - 0.5, 0.0) : 0.0;
             covered += by;
             sum += by * rgbAt(from);
         }

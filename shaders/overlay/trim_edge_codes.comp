@@ -1,4 +1,4 @@
-// Of each listed pixel: where in it, or beyond, the surface ends that it shows. The colour's opacity says it.
+// Of each listed pixel: where in it, or beyond, the surface ends that it shows.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -16,7 +16,7 @@ void main()
         if (picked == 0u || trimWords[picked - 1u] == TRIM_WHOLE)
             continue;
         uint code = trimEdgeCodeAt(placeOf(uvec2(picked, placeAt(pixel))), centreOf(pixel));
-        uint at = colourWord(pixel);
-        drawn[at] = (drawn[at] & 0xffffffu) | code << 24u;
+        if (code != TRIM_EDGE_FAR)
+            setCode(pixel, code);
     }
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "renderer/overlays/trim_edges.h"
+#include "tests/model/trimming/loop_samples.h"
 #include "tests/pixels/trimmed_pictures.h"
 
 namespace knotspan::testing {
@@ -77,6 +78,65 @@ TEST_P(TrimmedPictures, ShowSmallHoles)
     }
 }
 
+// Both of its sides run through the same pixels.
+TEST_P(TrimmedPictures, ShowStripsAsWideAsAPixel)
+{
+    constexpr int kParts = 12;
+    Frame frame = frameFor(sceneOf(platter({})));
+    frame.camera = namedView("top", sceneOf(platter({})).hullPoints(), 4.0 / 3, true).value();
+    const auto pixelOf = [&](const Vec2& place) {
+        return frame.camera.toPixel(Vec3(place, 0), kWidth, kHeight).value();
+    };
+    const double pixel = 1 / (pixelOf({1, 0}).x - pixelOf({0, 0}).x);
+    for (const double width : {0.7, 1.0, 1.3, 1.8}) {
+        const double half = 0.5 * width * pixel;
+        const auto middle = [](double u) { return 1.1 + 0.23 * u; };  // flat enough for stairs of four pixels
+        const Scene scene = sceneOf(platter({{true,
+                                              {polyline({{0.5, middle(0.5) - half},
+                                                         {3.5, middle(3.5) - half},
+                                                         {3.5, middle(3.5) + half},
+                                                         {0.5, middle(0.5) + half},
+                                                         {0.5, middle(0.5) - half}})}}}));
+        const Picture picture = drawn(*renderer, scene, frame).picture;
+        double covered = 0;
+        double wanted = 0;
+        double worst = 0;
+        const auto redAt = [&](int x, int y) {
+            return static_cast<double>(
+                       picture.rgba[4 * (static_cast<size_t>(y) * kWidth + static_cast<size_t>(x))]) -
+                   kBackground[0];
+        };
+        const int left = static_cast<int>(pixelOf({0.6, 0}).x);
+        const int right = static_cast<int>(pixelOf({3.4, 0}).x);
+        double most = 1;
+        for (int x = left; x < right; ++x)
+            for (int y = 0; y < kHeight; ++y)
+                most = std::max(most, redAt(x, y));
+        for (int x = left; x < right; ++x) {
+            double column = 0;
+            double hits = 0;
+            for (int y = 0; y < kHeight; ++y) {
+                column += redAt(x, y) / most;
+                for (int k = 0; k < kParts * kParts; ++k) {
+                    const auto places = metOnPlane(
+                        rayThrough(frame, x + (k % kParts + 0.5) / kParts, y + (k / kParts + 0.5) / kParts));
+                    hits += !places.empty() && std::abs(places.front().y - middle(places.front().x)) < half;
+                }
+            }
+            hits /= kParts * kParts;
+            covered += column;
+            wanted += hits;
+            worst = std::max(worst, std::abs(column - hits));
+        }
+        if (width >= 1) {
+            EXPECT_LT(worst, 0.3) << width;  // of a column
+            EXPECT_NEAR(covered / wanted, 1, 0.1) << width;
+        } else {
+            EXPECT_GT(covered / wanted, 0.5) << width;
+        }
+    }
+}
+
 // Which costs less.
 TEST_P(TrimmedPictures, AreOfWholePixelsWhereThatIsAskedFor)
 {
@@ -114,7 +174,8 @@ TEST(LargeTrimmedPictures, AreSmoothWhereTheyEndInAllRows)
     frame.camera = namedView("top", scene.hullPoints(), 1.0 * kWidth / kHeight, true).value();
     const Picture picture = drawn(*renderer, scene, frame).picture;
     const auto redAt = [&](int x, int y) {
-        return static_cast<double>(picture.rgba[4 * (static_cast<size_t>(y) * kWidth + static_cast<size_t>(x))]);
+        return static_cast<double>(
+            picture.rgba[4 * (static_cast<size_t>(y) * kWidth + static_cast<size_t>(x))]);
     };
     const auto share = [&](int x, int y, int parts) {
         int hits = 0;
