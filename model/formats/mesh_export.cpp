@@ -1,11 +1,11 @@
 #include "model/formats/mesh_export.h"
 
 #include <algorithm>
-#include <numeric>
 #include <optional>
 #include <set>
 
 #include "model/analysis/surface_bounds.h"
+#include "model/core/joined_sets.h"
 #include "model/files/file_replacement.h"
 #include "model/formats/mesh_rereading.h"
 #include "model/mesh/deviation_measuring.h"
@@ -99,22 +99,16 @@ MeshDeviation deviationOf(Made& made, const TriangleMesh& mesh, const Scene& sce
 // would join vertices of one body.
 std::optional<TriangleMesh> joinedBodies(const TriangleMesh& mesh)
 {
-    std::vector<std::uint32_t> body(mesh.vertices.size());
-    std::iota(body.begin(), body.end(), 0U);
-    const auto find = [&](std::uint32_t k) {
-        while (body[k] != k)
-            k = body[k] = body[body[k]];
-        return k;
-    };
+    JoinedSets bodies(mesh.vertices.size());
     for (const Triangle& triangle : mesh.triangles)
         for (const std::uint32_t corner : triangle)
-            body[find(corner)] = find(triangle[0]);
+            bodies.join(corner, triangle[0]);
     MeshBuilding building;
     std::vector<std::uint32_t> numbers;
     std::set<std::pair<std::uint32_t, std::uint32_t>> taken;  // a place, and a body that has a vertex there
     for (std::uint32_t k = 0; k < mesh.vertices.size(); ++k) {
         numbers.push_back(building.weldedVertex(mesh.vertices[k]));
-        if (!taken.insert({numbers.back(), find(k)}).second)
+        if (!taken.insert({numbers.back(), bodies.find(k)}).second)
             return std::nullopt;
     }
     for (const Triangle& triangle : mesh.triangles) {

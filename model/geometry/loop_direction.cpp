@@ -29,17 +29,6 @@ std::vector<Vec2> polygonOf(const std::vector<TrimCurve>& curves)
     return polygon;
 }
 
-double areaOf(const std::vector<Vec2>& polygon)
-{
-    double area = 0;
-    for (size_t k = 0; k < polygon.size(); ++k) {
-        const Vec2 a = polygon[k] - polygon[0];
-        const Vec2 b = polygon[(k + 1) % polygon.size()] - polygon[0];
-        area += (a.x * b.y - a.y * b.x) / 2;
-    }
-    return area;
-}
-
 TrimCurve reversed(const TrimCurve& curve)
 {
     std::vector<double> values(curve.knots().values().rbegin(), curve.knots().values().rend());
@@ -54,9 +43,20 @@ TrimCurve reversed(const TrimCurve& curve)
 
 }  // namespace
 
+double signedArea(const std::vector<Vec2>& polygon)
+{
+    double area = 0;
+    for (size_t k = 0; k < polygon.size(); ++k) {
+        const Vec2 a = polygon[k] - polygon[0];
+        const Vec2 b = polygon[(k + 1) % polygon.size()] - polygon[0];
+        area += (a.x * b.y - a.y * b.x) / 2;
+    }
+    return area;
+}
+
 double signedArea(const std::vector<TrimCurve>& curves)
 {
-    return areaOf(polygonOf(curves));
+    return signedArea(polygonOf(curves));
 }
 
 std::vector<TrimCurve> turnedRound(const std::vector<TrimCurve>& curves)
@@ -82,7 +82,7 @@ TrimLoop oriented(TrimLoop loop)
     const double size = glm::length(high - low);
     const TrimCurve& last = loop.curves.back();
     const double gap = glm::distance(last.evaluate(last.knots().domainEnd()), polygon[0]);
-    const double area = areaOf(polygon);
+    const double area = signedArea(polygon);
     if (!(gap <= kWidestGap * size && std::abs(area) > kNothing * size * size) || (area > 0) == loop.outer)
         return loop;
     // Curves that jump, or of huge numbers, may seem to run the wrong way both times: those stay.

@@ -5,6 +5,9 @@
 
 namespace knotspan {
 
+// What a polygon encloses, above zero if it runs anticlockwise.
+[[nodiscard]] double signedArea(const std::vector<Vec2>& polygon);
+
 // What the curves enclose, above zero if they run anticlockwise. From a few samples of each, so only near to
 // it.
 [[nodiscard]] double signedArea(const std::vector<TrimCurve>& curves);

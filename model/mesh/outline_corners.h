@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "model/core/joined_sets.h"
 #include "model/core/space.h"
 
 namespace knotspan {
@@ -15,28 +16,19 @@ class OutlineCorners {
 public:
     std::uint32_t add(const Vec3& at, std::uint32_t face)
     {
-        const auto number = static_cast<std::uint32_t>(into_.size());
-        into_.push_back(number);
+        const std::uint32_t number = sets_.add();
         places_.push_back(at);
         reaches_.push_back(0);
         faces_.push_back({face});
         return number;
     }
-    [[nodiscard]] std::uint32_t find(std::uint32_t corner) const
+    [[nodiscard]] std::uint32_t find(std::uint32_t corner) const { return sets_.find(corner); }
+    void join(std::uint32_t one, std::uint32_t other)
     {
-        while (into_[corner] != corner)
-            corner = into_[corner] = into_[into_[corner]];
-        return corner;
-    }
-    void join(std::uint32_t a, std::uint32_t b)
-    {
-        a = find(a);
-        b = find(b);
-        if (a == b)
+        const auto joined = sets_.join(one, other);
+        if (!joined)
             return;
-        if (b < a)
-            std::swap(a, b);
-        into_[b] = a;
+        const auto [a, b] = *joined;
         reaches_[a] = reachOfBoth(a, b);
         for (const std::uint32_t face : faces_[b])
             addFace(a, face);
@@ -68,10 +60,10 @@ public:
         return std::any_of(faces.begin(), faces.end(), [&](std::uint32_t face) { return isOf(b, face); });
     }
     [[nodiscard]] const Vec3& at(std::uint32_t corner) const { return places_[find(corner)]; }
-    [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(into_.size()); }
+    [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(places_.size()); }
 
 private:
-    mutable std::vector<std::uint32_t> into_;
+    JoinedSets sets_;
     std::vector<Vec3> places_;
     std::vector<double> reaches_;
     std::vector<std::vector<std::uint32_t>> faces_;

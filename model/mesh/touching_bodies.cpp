@@ -4,15 +4,16 @@
 #include <map>
 #include <numeric>
 
+#include "model/core/joined_sets.h"
+
 namespace knotspan {
 
 namespace {
 
 class Bodies {
 public:
-    Bodies(std::uint32_t faces, const OutlineWeld& weld) : into_(faces), sizes_(faces, 1), last_(faces)
+    Bodies(std::uint32_t faces, const OutlineWeld& weld) : sets_(faces), sizes_(faces, 1), last_(faces)
     {
-        std::iota(into_.begin(), into_.end(), 0U);
         std::iota(last_.begin(), last_.end(), 0U);
         for (const OutlineSeam& seam : weld.seams) {
             if (seam.isPoint || seam.stretches.size() < 2)
@@ -36,21 +37,13 @@ public:
     }
 
 private:
-    [[nodiscard]] std::uint32_t find(std::uint32_t face)
+    [[nodiscard]] std::uint32_t find(std::uint32_t face) const { return sets_.find(face); }
+    void join(std::uint32_t one, std::uint32_t other)
     {
-        while (into_[face] != face)
-            face = into_[face] = into_[into_[face]];
-        return face;
-    }
-    void join(std::uint32_t a, std::uint32_t b)
-    {
-        a = find(a);
-        b = find(b);
-        if (a == b)
+        const auto joined = sets_.join(one, other);
+        if (!joined)
             return;
-        if (b < a)
-            std::swap(a, b);
-        into_[b] = a;
+        const auto [a, b] = *joined;
         sizes_[a] += sizes_[b];
         last_[a] = std::max(last_[a], last_[b]);
     }
@@ -135,14 +128,14 @@ private:
             colours[body] =
                 static_cast<std::uint32_t>(std::find(taken.begin(), taken.end(), 0) - taken.begin());
         }
-        std::vector<std::uint32_t> result(into_.size(), 0);
+        std::vector<std::uint32_t> result(sizes_.size(), 0);
         for (std::uint32_t face = 0; face < result.size(); ++face)
             if (const auto found = colours.find(find(face)); found != colours.end())
                 result[face] = found->second;
         return result;
     }
 
-    std::vector<std::uint32_t> into_;
+    JoinedSets sets_;
     std::vector<std::uint32_t> sizes_;  // in faces
     std::vector<std::uint32_t> last_;
     std::vector<std::vector<std::uint32_t>> shared_;  // faces at an edge that has more than two

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "model/core/check.h"
+#include "model/geometry/loop_direction.h"
 #include "model/trimming/trim_region.h"
 
 namespace knotspan {
@@ -106,13 +107,7 @@ double signedArea(const LoopChain& chain)
     for (const LoopArc& part : chain)
         for (int k = 0; k < (part.arc.points.size() == 2 ? 1 : kSamples); ++k)
             polygon.push_back(placeOf(part.arc.points, static_cast<double>(k) / kSamples));
-    double area = 0;
-    for (size_t k = 0; k < polygon.size(); ++k) {
-        const Vec2 a = polygon[k] - polygon[0];
-        const Vec2 b = polygon[(k + 1) % polygon.size()] - polygon[0];
-        area += (a.x * b.y - a.y * b.x) / 2;
-    }
-    return area;
+    return signedArea(polygon);
 }
 
 ChainParity::ChainParity(const std::vector<LoopChain>& chains)

@@ -61,9 +61,11 @@ Result<TrimIndex> TrimIndex::create(const TrimRegion& region)
     return index;
 }
 
-KsQuadTrim TrimIndex::classOf(std::uint32_t ksquad) const
+namespace {
+
+KsQuadTrim classOfSide(std::uint32_t side)
 {
-    switch (words_[ksquad]) {
+    switch (side) {
     case TRIM_INSIDE:
         return KsQuadTrim::inside;
     case TRIM_OUTSIDE:
@@ -73,19 +75,19 @@ KsQuadTrim TrimIndex::classOf(std::uint32_t ksquad) const
     }
 }
 
+}  // namespace
+
+KsQuadTrim TrimIndex::classOf(std::uint32_t ksquad) const
+{
+    return classOfSide(words_[ksquad]);
+}
+
 KsQuadTrim TrimIndex::sideOf(std::uint32_t ksquad, const Vec2& place, const Vec2& reach) const
 {
     if (const KsQuadTrim whole = classOf(ksquad); whole != KsQuadTrim::cut)
         return whole;
     const TrimBox box{gpu::vec2(place - reach), gpu::vec2(place + reach)};
-    switch (sideOfBox(words_, words_[ksquad], box)) {
-    case TRIM_INSIDE:
-        return KsQuadTrim::inside;
-    case TRIM_OUTSIDE:
-        return KsQuadTrim::outside;
-    default:
-        return KsQuadTrim::cut;
-    }
+    return classOfSide(sideOfBox(words_, words_[ksquad], box));
 }
 
 bool TrimIndex::contains(std::uint32_t ksquad, float x, float y) const
